@@ -1,0 +1,108 @@
+#version 330 core
+// The lighting model of the sheet, with everything in view space:
+//   L_O = M_e·tint + M_d·L_a + Σ I·F·(M_d·max(cos α, 0) + M_s·max(cos β, 0)^k)·L
+
+const int MAX_POINT_LIGHTS = 8;
+const int MAX_SPOT_LIGHTS = 2;
+const float MAX_FLOAT = 3.402823466e38;
+
+struct PointLight {
+    vec3 position;     // view space
+    vec3 color;
+    vec3 attenuation;  // K_c, K_l, K_q
+};
+
+struct SpotLight {
+    vec3 position;     // view space
+    vec3 color;
+    vec3 attenuation;
+    vec3 direction;    // view space, unit length, away from the light
+    vec2 cone;         // 1 - cos of the inner and of the outer angle
+};
+
+struct Material {
+    sampler2D emissive;  // M_e
+    sampler2D diffuse;   // M_d
+    sampler2D specular;  // M_s
+    float shininess;     // k
+};
+
+in vec2 surfaceTexCoord;   // texture coordinates, multiplied
+in vec3 normalView;        // surface normal, any length
+in vec3 toCameraView;      // from the surface to the eye
+in vec3 toPointLightView[MAX_POINT_LIGHTS];  // from the surface to each light; the length is the distance d
+in vec3 toSpotLightView[MAX_SPOT_LIGHTS];
+
+uniform Material material;
+uniform vec3 emissiveTint;
+uniform vec3 ambient;       // L_a
+uniform bool blinnPhong;    // half vector instead of reflected vector
+uniform float inverseGamma; // 1 for none
+
+uniform int pointLightCount;
+uniform PointLight pointLight[MAX_POINT_LIGHTS];
+uniform int spotLightCount;
+uniform SpotLight spotLight[MAX_SPOT_LIGHTS];
+
+out vec4 fragColor;
+
+// Where the vector is 0, so is every cosine with it: no light, instead of NaN.
+vec3 normalizeOrZero(vec3 v) {
+    float squared = dot(v, v);
+    return squared > 0.0 ? v * inversesqrt(squared) : vec3(0.0);
+}
+
+float clampedCosine(vec3 a, vec3 b) {
+    return clamp(dot(a, b), 0.0, 1.0);
+}
+
+// F. A light at the surface itself has no direction and so no effect; one whose d² is beyond a float is too far to see.
+float attenuationFactor(vec3 toLight, vec3 k) {
+    float squared = dot(toLight, toLight);
+    if (!(squared > 0.0 && squared <= MAX_FLOAT)) return 0.0;
+    return 1.0 / (k.x + k.y * sqrt(squared) + k.z * squared);
+}
+
+// I, linear in cos θ. Versines, 1 - cos θ = |l - s|²/2, keep what cosines of narrow cones round away.
+float coneIntensity(vec3 fromLight, vec3 direction, vec2 cone) {
+    vec3 chord = fromLight - direction;
+    float versine = 0.5 * dot(chord, chord);
+    float width = cone.y - cone.x;
+    if (width > 0.0) return clamp((cone.y - versine) / width, 0.0, 1.0);
+    return versine <= cone.y ? 1.0 : 0.0;
+}
+
+// max(cos β, 0)^k. pow(0, 0) is undefined in GLSL, so 0 is answered without asking.
+float specularFactor(vec3 n, vec3 toLight, vec3 toCamera) {
+    float cosine = blinnPhong
+        ? clampedCosine(n, normalizeOrZero(toLight + toCamera))
+        : clampedCosine(reflect(-toLight, n), toCamera);
+    return cosine > 0.0 ? pow(cosine, material.shininess) : 0.0;
+}
+
+// The part of light of the given colour that the surface sends to the eye.
+vec3 reflected(vec3 n, vec3 toLight, vec3 toCamera, vec3 diffuse, vec3 specular, vec3 lightColor) {
+    return (diffuse * clampedCosine(n, toLight) + specular * specularFactor(n, toLight, toCamera)) * lightColor;
+}
+
+void main() {
+    vec3 emissive = texture(material.emissive, surfaceTexCoord).rgb;
+    vec3 diffuse = texture(material.diffuse, surfaceTexCoord).rgb;
+    vec3 specular = texture(material.specular, surfaceTexCoord).rgb;
+    vec3 n = normalizeOrZero(normalView);
+    vec3 toCamera = normalizeOrZero(toCameraView);
+
+    vec3 color = emissive * emissiveTint + diffuse * ambient;
+    for (int i = 0; i < pointLightCount; i++) {
+        float f = attenuationFactor(toPointLightView[i], pointLight[i].attenuation);
+        vec3 toLight = normalizeOrZero(toPointLightView[i]);
+        color += reflected(n, toLight, toCamera, diffuse, specular, f * pointLight[i].color);
+    }
+    for (int i = 0; i < spotLightCount; i++) {
+        vec3 toLight = normalizeOrZero(toSpotLightView[i]);
+        float f = attenuationFactor(toSpotLightView[i], spotLight[i].attenuation)
+            * coneIntensity(-toLight, spotLight[i].direction, spotLight[i].cone);
+        color += reflected(n, toLight, toCamera, diffuse, specular, f * spotLight[i].color);
+    }
+    fragColor = vec4(inverseGamma == 1.0 ? color : pow(max(color, 0.0), vec3(inverseGamma)), 1.0);
+}

@@ -1,0 +1,53 @@
+#version 330 core
+// Takes a vertex to the screen and hands the fragment shader the vectors of the lighting model, in view space.
+
+const int MAX_POINT_LIGHTS = 8;
+const int MAX_SPOT_LIGHTS = 2;
+
+struct PointLight {
+    vec3 position;     // view space
+    vec3 color;
+    vec3 attenuation;  // K_c, K_l, K_q
+};
+
+struct SpotLight {
+    vec3 position;     // view space
+    vec3 color;
+    vec3 attenuation;
+    vec3 direction;    // view space, unit length, away from the light
+    vec2 cone;         // 1 - cos of the inner and of the outer angle
+};
+
+layout(location = 0) in vec3 position;  // model space
+layout(location = 1) in vec2 texCoord;
+layout(location = 2) in vec3 normal;    // model space
+
+uniform mat4 modelView;     // model space -> view space, composed on the CPU in double precision
+uniform mat3 normalMatrix;  // the same for normals
+uniform mat4 projection;    // view space -> clip space
+uniform vec2 tcMultiplier;  // how often the textures repeat
+
+uniform int pointLightCount;
+uniform PointLight pointLight[MAX_POINT_LIGHTS];
+uniform int spotLightCount;
+uniform SpotLight spotLight[MAX_SPOT_LIGHTS];
+
+out vec2 surfaceTexCoord;                   // texture coordinates, multiplied
+out vec3 normalView;                        // surface normal, any length
+// From the surface to the eye and to each light. They are affine in the position, so interpolating them is exact;
+// normalising here would bend them between the vertices. Their lengths are the distances.
+out vec3 toCameraView;
+out vec3 toPointLightView[MAX_POINT_LIGHTS];
+out vec3 toSpotLightView[MAX_SPOT_LIGHTS];
+
+void main() {
+    vec3 positionView = (modelView * vec4(position, 1.0)).xyz;
+
+    surfaceTexCoord = texCoord * tcMultiplier;
+    normalView = normalMatrix * normal;
+    toCameraView = -positionView;
+    for (int i = 0; i < pointLightCount; i++) toPointLightView[i] = pointLight[i].position - positionView;
+    for (int i = 0; i < spotLightCount; i++) toSpotLightView[i] = spotLight[i].position - positionView;
+
+    gl_Position = projection * vec4(positionView, 1.0);
+}

@@ -1,0 +1,39 @@
+package cga.cli
+
+import cga.framework.InputError
+import com.github.ajalt.clikt.core.CliktCommand
+import com.github.ajalt.clikt.core.CliktError
+import com.github.ajalt.clikt.core.NoOpCliktCommand
+import com.github.ajalt.clikt.core.parse
+import com.github.ajalt.clikt.core.subcommands
+import kotlin.system.exitProcess
+
+/** What went wrong on the user's side: bad usage, bad input. */
+private const val EXIT_USER_ERROR = 2
+
+/** The command line: `cga COMMAND …`. */
+public fun main(args: Array<String>) {
+    // Pictures are encoded by the JDK; nothing of its desktop may start beside GLFW.
+    System.setProperty("java.awt.headless", "true")
+    exitProcess(execute(cga(), args.toList()))
+}
+
+private fun cga(): CliktCommand = NoOpCliktCommand("cga").subcommands(RunCommand(), RenderCommand(), DoctorCommand(), BenchCommand())
+
+private fun execute(
+    command: CliktCommand,
+    args: List<String>,
+): Int =
+    try {
+        command.parse(args)
+        0
+    } catch (e: CliktError) {
+        command.echoFormattedHelp(e)
+        if (e.statusCode == 0) 0 else EXIT_USER_ERROR
+    } catch (e: InputError) {
+        System.err.println("cga: ${e.message}")
+        EXIT_USER_ERROR
+    } catch (_: OutOfMemoryError) {
+        System.err.println("cga: not enough memory for this: give a smaller size, or more memory with JAVA_TOOL_OPTIONS=-Xmx4g.")
+        EXIT_USER_ERROR
+    }

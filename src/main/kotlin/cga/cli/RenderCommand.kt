@@ -1,0 +1,148 @@
+package cga.cli
+
+import cga.exercise.game.DriveScript
+import cga.exercise.game.ScriptedScene
+import cga.exercise.game.Step
+import cga.framework.AtomicFile
+import cga.framework.ColorFormat
+import cga.framework.RenderTarget
+import cga.framework.SpecularModel
+import cga.framework.context.OffscreenContext
+import cga.framework.image.ExrFile
+import cga.framework.image.PngFile
+import com.github.ajalt.clikt.core.CliktCommand
+import com.github.ajalt.clikt.core.Context
+import com.github.ajalt.clikt.core.terminal
+import com.github.ajalt.clikt.parameters.options.convert
+import com.github.ajalt.clikt.parameters.options.default
+import com.github.ajalt.clikt.parameters.options.option
+import com.github.ajalt.clikt.parameters.types.choice
+import com.github.ajalt.clikt.parameters.types.double
+import com.github.ajalt.clikt.parameters.types.float
+import com.github.ajalt.clikt.parameters.types.int
+import com.github.ajalt.clikt.parameters.types.path
+import com.github.ajalt.mordant.animation.progress.animateOnThread
+import com.github.ajalt.mordant.animation.progress.execute
+import com.github.ajalt.mordant.widgets.progress.completed
+import com.github.ajalt.mordant.widgets.progress.progressBar
+import com.github.ajalt.mordant.widgets.progress.progressBarLayout
+import com.github.ajalt.mordant.widgets.progress.text
+import com.github.ajalt.mordant.widgets.progress.timeRemaining
+import java.nio.file.Path
+
+/** `cga render`: pictures of the scene without a window. */
+internal class RenderCommand : CliktCommand("render") {
+    override fun help(context: Context): String = "Render a step of the sheet off screen, to PNG or OpenEXR."
+
+    private val step by stepOption()
+    private val size by sizeOption()
+    private val time by option("--t", metavar = "SECONDS", help = "Time of the (first) picture. Default: the drive script's end, else $PRETTY_TIME")
+        .double()
+    private val mouse by option("--mouse", metavar = "DX", help = "Move the mouse so many pixels to the right; over all frames together")
+        .double()
+        .default(0.0)
+    private val drive by option("--drive", metavar = "SCRIPT", help = "Keys held from time 0 on, as in \"W 2, WA 0.5\"")
+        .convert { DriveScript.parse(it) }
+        .default(DriveScript.NONE)
+    private val samples by option("--samples", metavar = "N", help = "Samples a pixel. Default: 0, no antialiasing").int().default(0)
+    private val specular by option("--specular", help = "Specular model. Default: the step's own")
+        .choice("phong" to SpecularModel.PHONG, "blinn-phong" to SpecularModel.BLINN_PHONG)
+    private val gamma by option("--gamma", metavar = "G", help = "Encode the colours for a screen of this gamma. Default: 1, none")
+        .float()
+        .default(1f)
+    private val out by option("--out", metavar = "FILE.png", help = "Where the picture goes. Default: motorcycle.png, unless --float is given")
+        .path()
+    private val float by option("--float", metavar = "FILE.exr", help = "The unclamped picture as OpenEXR, RGBA32F").path()
+    private val context by contextOption()
+    private val frames by option("--frames", metavar = "N", help = "Render a sequence FILE-0001.png, FILE-0002.png, …").int().default(1)
+    private val fps by option("--fps", metavar = "F", help = "Frames a second of the sequence. Default: 60").double().default(60.0)
+
+    override fun run() {
+        checkUsage()
+        val png = out ?: if (float == null) Path.of("motorcycle.png") else null
+        listOfNotNull(png, float).forEach(AtomicFile::checkWritable)
+        OffscreenContext.open(context).use {
+            val format = if (float == null) ColorFormat.RGBA8 else ColorFormat.RGBA32F
+            RenderTarget(size.width, size.height, samples, format).use { target -> render(target, png) }
+        }
+    }
+
+    private fun checkUsage() {
+        requireUsage(time.let { it == null || it.isFinite() && it >= 0 }) { "--t $time: the time must be finite and not negative" }
+        requireUsage(mouse.isFinite()) { "--mouse $mouse: the way must be finite" }
+        requireUsage(gamma.isFinite() && gamma > 0) { "--gamma $gamma: gamma must be finite and greater than 0" }
+        requireUsage(frames in 1..MAX_FRAMES) { "--frames $frames: from 1 to $MAX_FRAMES" }
+        requireUsage(fps.isFinite() && fps > 0) { "--fps $fps: must be finite and greater than 0" }
+        requireUsage(samples >= 0) { "--samples $samples: must not be negative" }
+        if (mouse != 0.0 && !step.turnsWithMouse) echo("note: --mouse has no effect before step ${Step.ORBIT.sheet}", err = true)
+    }
+
+    private fun render(
+        target: RenderTarget,
+        png: Path?,
+    ) {
+        val player = ScriptedScene(size.width, size.height, step, drive)
+        specular?.let { player.scene.specularModel = it }
+        player.scene.gamma = gamma
+        if (frames == 1) picture(player, target, 0, png) else sequence(player, target, png)
+        player.scene.cleanup()
+    }
+
+    private fun sequence(
+        player: ScriptedScene,
+        target: RenderTarget,
+        png: Path?,
+    ) {
+        val progress =
+            progressBarLayout {
+                text("rendering")
+                progressBar()
+                completed()
+                timeRemaining()
+            }.animateOnThread(terminal, total = frames.toLong())
+        val drawing = progress.execute()
+        for (frame in 0 until frames) {
+            picture(player, target, frame, png)
+            progress.update { completed = frame + 1L }
+        }
+        drawing.get()
+    }
+
+    private fun picture(
+        player: ScriptedScene,
+        target: RenderTarget,
+        frame: Int,
+        png: Path?,
+    ) {
+        player.moveMouseTo(if (frames == 1) mouse else mouse * frame / (frames - 1))
+        player.advanceTo(startTime() + frame / fps)
+        target.bind()
+        player.scene.render()
+        png?.let { PngFile.write(target.read(), numbered(it, frame)) }
+        float?.let { ExrFile.write(target.readFloats(), numbered(it, frame)) }
+    }
+
+    /** One clock for everything: a script plays from 0, so its single picture is its end, and its sequence starts at 0. */
+    private fun startTime(): Double =
+        time ?: when {
+            drive.duration == 0.0 -> PRETTY_TIME
+            frames == 1 -> drive.duration
+            else -> 0.0
+        }
+
+    private fun numbered(
+        file: Path,
+        frame: Int,
+    ): Path {
+        if (frames == 1) return file
+        val name = file.fileName.toString()
+        val stem = name.substringBeforeLast('.')
+        return file.resolveSibling("$stem-%04d".format(frame + 1) + name.removePrefix(stem))
+    }
+
+    internal companion object {
+        /** A time at which the motorcycle has a saturated colour; at 0 it would be black. */
+        const val PRETTY_TIME = 5.5
+        private const val MAX_FRAMES = 9999
+    }
+}

@@ -1,0 +1,72 @@
+package cga.exercise.components.shader
+
+import cga.framework.Home
+import org.lwjgl.opengl.GL33C.*
+
+/** Compiles and links GLSL, and turns the driver's log into messages with the file's name and the line's text. */
+internal object ShaderCompiler {
+    /** A linked program of the two files, owned by the caller. Throws [ShaderError]; nothing is left behind then. */
+    fun link(
+        vertexPath: String,
+        fragmentPath: String,
+    ): Int {
+        val vertex = compile(GL_VERTEX_SHADER, vertexPath)
+        val fragment =
+            try {
+                compile(GL_FRAGMENT_SHADER, fragmentPath)
+            } catch (e: ShaderError) {
+                glDeleteShader(vertex)
+                throw e
+            }
+        val program = glCreateProgram()
+        glAttachShader(program, vertex)
+        glAttachShader(program, fragment)
+        glLinkProgram(program)
+        glDeleteShader(vertex)
+        glDeleteShader(fragment)
+        if (glGetProgrami(program, GL_LINK_STATUS) == GL_FALSE) {
+            val log = glGetProgramInfoLog(program)
+            glDeleteProgram(program)
+            throw ShaderError("shaders $vertexPath and $fragmentPath do not fit together: ${log.trim()}")
+        }
+        return program
+    }
+
+    private fun compile(
+        stage: Int,
+        path: String,
+    ): Int {
+        val source = String(Home.read(path, "shader"))
+        val shader = glCreateShader(stage)
+        glShaderSource(shader, source)
+        glCompileShader(shader)
+        if (glGetShaderi(shader, GL_COMPILE_STATUS) == GL_FALSE) {
+            val log = glGetShaderInfoLog(shader)
+            glDeleteShader(shader)
+            throw ShaderError(explain(path, source, log))
+        }
+        return shader
+    }
+
+    // Mesa "0:12(5): error: …", NVIDIA "0(12) : error …", AMD, Intel and Apple "ERROR: 0:12: …".
+    private val LOCATION = Regex("""^(?:ERROR:\s*)?\d+[:(](\d+)\)?(?:\((\d+)\))?\s*:\s*(.*)$""")
+
+    /** The driver's [log] about the shader [path] as `path:line: message`, each with its source line below. */
+    fun explain(
+        path: String,
+        source: String,
+        log: String,
+    ): String {
+        val lines = source.lines()
+        return log
+            .trim()
+            .lines()
+            .filter(String::isNotBlank)
+            .joinToString("\n") { entry ->
+                val found = LOCATION.find(entry.trim()) ?: return@joinToString "$path: ${entry.trim()}"
+                val (line, _, message) = found.destructured
+                val text = lines.getOrNull(line.toInt() - 1)?.let { "\n    ${it.trim()}" }.orEmpty()
+                "$path:$line: $message$text"
+            }
+    }
+}

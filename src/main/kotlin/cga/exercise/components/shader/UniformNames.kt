@@ -1,0 +1,42 @@
+package cga.exercise.components.shader
+
+import org.lwjgl.BufferUtils
+import org.lwjgl.opengl.GL33C.*
+
+/** The names of a program's uniforms, and the sentence for a name that is not among them. */
+internal object UniformNames {
+    /** Every uniform of the linked [program] that can be set, arrays of structs written out. */
+    fun of(program: Int): List<String> {
+        val size = BufferUtils.createIntBuffer(1)
+        val type = BufferUtils.createIntBuffer(1)
+        return List(glGetProgrami(program, GL_ACTIVE_UNIFORMS)) { glGetActiveUniform(program, it, size, type) }
+    }
+
+    fun unknown(
+        name: String,
+        known: List<String>,
+        program: String,
+    ): String {
+        val nearest = known.minByOrNull { distance(it, name) }
+        val hint = if (nearest == null) "It has no uniforms at all." else "Did you mean $nearest?"
+        return "warning: uniform $name is not in $program, or its shaders do not use it. $hint"
+    }
+
+    /** Levenshtein's edit distance. */
+    fun distance(
+        a: String,
+        b: String,
+    ): Int {
+        var row = IntArray(b.length + 1) { it }
+        for (i in a.indices) {
+            val next = IntArray(b.length + 1)
+            next[0] = i + 1
+            for (j in b.indices) {
+                val replaced = row[j] + if (a[i] == b[j]) 0 else 1
+                next[j + 1] = minOf(replaced, row[j + 1] + 1, next[j] + 1)
+            }
+            row = next
+        }
+        return row[b.length]
+    }
+}

@@ -1,0 +1,102 @@
+package cga.exercise.game
+
+import cga.framework.GameWindow
+import cga.framework.InputError
+import cga.framework.image.PngFile
+import org.lwjgl.glfw.GLFW.*
+import java.nio.file.Files
+import java.nio.file.Path
+
+/** The scene in a window: W/A/S/D drive, the mouse orbits, 1–8 choose the step, B, R, F12 and Esc as [HELP] says. */
+public class Game(
+    width: Int = 1280,
+    height: Int = 720,
+    fullscreen: Boolean = false,
+    msaasamples: Int = 4,
+    step: Step = Step.FINAL,
+) : GameWindow(width, height, fullscreen, true, 3, 3, "CGA Lights", msaasamples, 120) {
+    private val scene = Scene(this, step)
+    private var screenshotWanted = false
+
+    override fun start() {
+        setCursorVisible(false)
+        nameStep()
+    }
+
+    override fun update(
+        dt: Float,
+        t: Float,
+    ) {
+        // The same numbers as dt and t, in double precision.
+        scene.update(updateStep, currentTime)
+    }
+
+    override fun render(
+        dt: Float,
+        t: Float,
+    ) {
+        scene.render()
+        if (screenshotWanted) saveScreenshot()
+    }
+
+    override fun onKey(
+        key: Int,
+        scancode: Int,
+        action: Int,
+        mode: Int,
+    ) {
+        scene.onKey(key, scancode, action, mode)
+        if (action != GLFW_PRESS) return
+        when (key) {
+            GLFW_KEY_R -> reloadShaders()
+            GLFW_KEY_F12 -> screenshotWanted = true
+            GLFW_KEY_ESCAPE -> quit()
+        }
+        nameStep()
+    }
+
+    override fun onMouseMove(
+        xpos: Double,
+        ypos: Double,
+    ) {
+        scene.onMouseMove(xpos, ypos)
+    }
+
+    override fun shutdown() {
+        scene.cleanup()
+    }
+
+    private fun nameStep() {
+        setTitle("CGA Lights · ${scene.step.sheet} ${scene.step.title} · ${scene.specularModel.title}")
+    }
+
+    // An error in a student's shader is no reason to end the program: the old one goes on.
+    private fun reloadShaders() {
+        try {
+            scene.reloadShaders()
+            println("shaders reloaded")
+        } catch (e: InputError) {
+            System.err.println("${e.message}\nThe old shaders stay in use.")
+        }
+    }
+
+    private fun saveScreenshot() {
+        screenshotWanted = false
+        try {
+            val file = freeName()
+            PngFile.write(readPicture(), file)
+            println("saved $file")
+        } catch (e: InputError) {
+            System.err.println(e.message)
+        }
+    }
+
+    private fun freeName(): Path = generateSequence(1) { it + 1 }.map { Path.of("screenshot-%03d.png".format(it)) }.first { !Files.exists(it) }
+
+    public companion object {
+        /** The keys, for people. */
+        public const val HELP: String =
+            "W/A/S/D drive and steer · mouse orbits · 1–8 steps of the sheet · B Phong/Blinn-Phong · " +
+                "R reload shaders · F12 screenshot · Esc quit"
+    }
+}

@@ -1,0 +1,41 @@
+package cga.exercise.game
+
+import org.joml.Matrix4f
+
+/**
+ * The camera's place behind and above the motorcycle, turned about it by the mouse.
+ *
+ * The angle is kept as a number in double precision and the matrix made anew from it, so that the distance never changes and the
+ * horizon never tilts, however long the mouse moves.
+ */
+internal class Orbit {
+    /** Radians about y, in (−2π, 2π). */
+    var angle: Double = 0.0
+        private set
+    private var lastX = Double.NaN
+
+    /** The mouse is at [xpos] (pixels). The first position only says where it starts; [turning] = false moves it without effect. */
+    fun onMouseMove(
+        xpos: Double,
+        turning: Boolean,
+    ) {
+        if (turning && !lastX.isNaN()) angle = (angle + RADIANS_PER_PIXEL * (xpos - lastX)) % (2 * Math.PI)
+        lastX = xpos
+    }
+
+    /** The camera's matrix in the motorcycle's space, into [dest]. */
+    fun place(
+        turned: Boolean,
+        dest: Matrix4f,
+    ): Matrix4f =
+        dest
+            .rotationY(if (turned) angle.toFloat() else 0f)
+            .rotateX(PITCH)
+            .translate(0f, 0f, DISTANCE)
+
+    private companion object {
+        const val RADIANS_PER_PIXEL = 0.002
+        const val DISTANCE = 4f
+        val PITCH = Math.toRadians(-35.0).toFloat()
+    }
+}

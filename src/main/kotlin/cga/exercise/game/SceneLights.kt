@@ -1,0 +1,73 @@
+package cga.exercise.game
+
+import cga.exercise.components.geometry.Transformable
+import cga.exercise.components.light.PointLight
+import cga.exercise.components.light.SpotLight
+import cga.exercise.components.shader.ShaderProgram
+import org.joml.Matrix4dc
+import org.joml.Vector3f
+import org.joml.Vector3fc
+
+/** The lights of the scene, and which of them shine at which [Step]. */
+internal class SceneLights(motorcycle: Transformable) {
+    private val pointLight = PointLight(Vector3f(0f, 1.6f, 0f), WHITE).apply { parent = motorcycle }
+    private val spotLight =
+        SpotLight(Vector3f(0f, 0.7f, -1.7f), Vector3f(3f, 3f, 2.7f), radians(16f), radians(28f)).apply {
+            rotateLocal(radians(-9f), 0f, 0f)
+            parent = motorcycle
+        }
+    private val cornerLights =
+        listOf(
+            corner(-1, -1, Vector3f(5f, 0.3f, 0.2f)),
+            corner(1, -1, Vector3f(0.3f, 0.6f, 6f)),
+            corner(-1, 1, Vector3f(4f, 3f, 0.2f)),
+            corner(1, 1, Vector3f(4f, 0.3f, 4f)),
+        )
+    private val attenuated = (cornerLights + pointLight + spotLight).associateWith { Vector3f(it.attenuation) }
+
+    /** The point lights that shine, and the spotlights; changed by [switchTo]. */
+    var points: List<PointLight> = emptyList()
+        private set
+    var spots: List<SpotLight> = emptyList()
+        private set
+
+    fun switchTo(step: Step) {
+        points = listOfNotNull(pointLight.takeIf { step.pointLight }) + if (step.cornerLights) cornerLights else emptyList()
+        spots = listOfNotNull(spotLight.takeIf { step.spotLight })
+        for ((light, k) in attenuated) light.attenuation = if (step.attenuation) k else CONSTANT
+    }
+
+    /** The colour of the motorcycle's own light. */
+    fun setMotorcycleColor(color: Vector3fc) {
+        pointLight.lightColor = color
+    }
+
+    /** Sends the lights that shine to the program in use. */
+    fun bind(
+        shaderProgram: ShaderProgram,
+        view: Matrix4dc,
+    ) {
+        shaderProgram.setUniform("pointLightCount", points.size)
+        for (i in points.indices) points[i].bind(shaderProgram, POINT_NAMES[i], view)
+        shaderProgram.setUniform("spotLightCount", spots.size)
+        for (i in spots.indices) spots[i].bind(shaderProgram, SPOT_NAMES[i], view)
+    }
+
+    private companion object {
+        const val CORNER = 19f
+        val WHITE: Vector3fc = Vector3f(1f)
+        val CONSTANT: Vector3fc = Vector3f(1f, 0f, 0f)
+
+        // As many as the shaders take.
+        val POINT_NAMES = Array(8) { "pointLight[$it]" }
+        val SPOT_NAMES = Array(2) { "spotLight[$it]" }
+
+        fun radians(degrees: Float): Float = Math.toRadians(degrees.toDouble()).toFloat()
+
+        fun corner(
+            x: Int,
+            z: Int,
+            color: Vector3fc,
+        ) = PointLight(Vector3f(x * CORNER, 1f, z * CORNER), color)
+    }
+}

@@ -1,0 +1,50 @@
+package cga.exercise.game
+
+import cga.framework.WindowState
+import kotlin.math.roundToLong
+
+/**
+ * The scene without a window: keys come from a [DriveScript], time and mouse from the caller, so that the same arguments always give
+ * the same picture.
+ *
+ * @param width of the picture in pixels, likewise [height].
+ */
+public class ScriptedScene(
+    width: Int,
+    height: Int,
+    step: Step = Step.FINAL,
+    private val drive: DriveScript = DriveScript.NONE,
+) : WindowState {
+    override val framebufferWidth: Int = width
+    override val framebufferHeight: Int = height
+    private var updates = 0L
+
+    /** The scene itself, for its settings. */
+    public val scene: Scene = Scene(this, step)
+
+    init {
+        scene.onMouseMove(0.0, 0.0)
+    }
+
+    override fun getKeyState(key: Int): Boolean = drive.isDown(key, updates * UPDATE_STEP)
+
+    /** Brings the scene to time [t] (seconds, not before the last one) as a window would, by updates 1/120 s apart. */
+    public fun advanceTo(t: Double) {
+        // When the script has ended nothing drives any more, and the updates until t can be left out.
+        val due = (minOf(t, drive.duration) / UPDATE_STEP).roundToLong()
+        while (updates < due) {
+            scene.update(UPDATE_STEP, updates * UPDATE_STEP)
+            updates++
+        }
+        scene.update(0.0, t)
+    }
+
+    /** Puts the mouse [pixels] to the right of where it started. */
+    public fun moveMouseTo(pixels: Double) {
+        scene.onMouseMove(pixels, 0.0)
+    }
+
+    private companion object {
+        const val UPDATE_STEP = 1.0 / 120
+    }
+}

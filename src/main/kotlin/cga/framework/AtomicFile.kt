@@ -1,0 +1,51 @@
+package cga.framework
+
+import java.io.IOException
+import java.nio.file.Files
+import java.nio.file.Path
+import java.nio.file.StandardCopyOption.ATOMIC_MOVE
+import java.nio.file.StandardCopyOption.REPLACE_EXISTING
+
+/** Writes files whole or not at all: to a temporary name beside the target, then renamed. */
+public object AtomicFile {
+    /** Calls [fill] with the temporary path and moves the result to [target]. Throws [InputError] when that is not possible. */
+    public fun write(
+        target: Path,
+        fill: (Path) -> Unit,
+    ) {
+        checkWritable(target)
+        val temporary = temporaryFor(target)
+        try {
+            fill(temporary)
+            move(temporary, target)
+        } catch (e: IOException) {
+            throw InputError("cannot write $target (${e.javaClass.simpleName}: ${e.message}): is the disk full or the folder read-only?", e)
+        } finally {
+            Files.deleteIfExists(temporary)
+        }
+    }
+
+    /** Throws [InputError] when [target] can surely not be written, before time is spent on making its content. */
+    public fun checkWritable(target: Path) {
+        val folder = target.toAbsolutePath().parent
+        when {
+            Files.isDirectory(target) -> throw InputError("cannot write $target: it is a folder. Name a file in it.")
+            folder == null || !Files.isDirectory(folder) ->
+                throw InputError("cannot write $target: the folder $folder does not exist. Create it, or name another.")
+            !Files.isWritable(folder) -> throw InputError("cannot write $target: the folder $folder is read-only. Name another.")
+        }
+    }
+
+    private fun temporaryFor(target: Path): Path = target.resolveSibling(".${target.fileName}.${ProcessHandle.current().pid()}.part")
+
+    private fun move(
+        from: Path,
+        to: Path,
+    ) {
+        try {
+            Files.move(from, to, ATOMIC_MOVE, REPLACE_EXISTING)
+        } catch (_: java.nio.file.AtomicMoveNotSupportedException) {
+            Files.move(from, to, REPLACE_EXISTING)
+        }
+    }
+}

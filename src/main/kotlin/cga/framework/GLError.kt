@@ -1,0 +1,29 @@
+package cga.framework
+
+import org.lwjgl.opengl.GL33C.*
+
+/** Turns OpenGL's error flag into an exception that says what was being done. */
+public object GLError {
+    /** Throws [IllegalStateException] naming every pending error of the current context; [action] completes "while …". */
+    public fun check(action: String) {
+        var code = glGetError()
+        if (code == GL_NO_ERROR) return
+        val names = mutableListOf<String>()
+        // A lost context answers errors for ever: a handful is enough to name.
+        while (code != GL_NO_ERROR && names.size < 8) {
+            names += name(code)
+            code = glGetError()
+        }
+        error("OpenGL reported ${names.joinToString()} while $action.")
+    }
+
+    private fun name(code: Int): String =
+        when (code) {
+            GL_INVALID_ENUM -> "GL_INVALID_ENUM"
+            GL_INVALID_VALUE -> "GL_INVALID_VALUE"
+            GL_INVALID_OPERATION -> "GL_INVALID_OPERATION"
+            GL_INVALID_FRAMEBUFFER_OPERATION -> "GL_INVALID_FRAMEBUFFER_OPERATION"
+            GL_OUT_OF_MEMORY -> "GL_OUT_OF_MEMORY"
+            else -> "error 0x%X".format(code)
+        }
+}

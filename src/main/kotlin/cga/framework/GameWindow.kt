@@ -1,0 +1,206 @@
+package cga.framework
+
+import cga.framework.context.Glfw
+import cga.framework.image.ImageData
+import org.lwjgl.glfw.Callbacks.glfwFreeCallbacks
+import org.lwjgl.glfw.GLFW.*
+import org.lwjgl.opengl.GL33C.*
+import org.lwjgl.system.MemoryUtil
+import org.lwjgl.system.MemoryUtil.NULL
+
+/**
+ * A window with a game loop: [update] at a fixed rate, [render] once a picture. Derive from it and call [run].
+ *
+ * The window opens in [run], so a game can be constructed where there is no display.
+ *
+ * @param width of the window in screen coordinates, likewise [height]; the picture's pixels are [framebufferWidth] × [framebufferHeight].
+ * @param fullscreen whether the window takes the whole primary monitor.
+ * @param vsync whether pictures wait for the monitor.
+ * @param cvmaj major version of OpenGL, with [cvmin] the minor one; core profile.
+ * @param msaasamples samples a pixel, 0 for none.
+ * @param updatefrequency updates a second.
+ */
+public abstract class GameWindow(
+    public val width: Int,
+    public val height: Int,
+    public val fullscreen: Boolean,
+    public val vsync: Boolean,
+    public val cvmaj: Int,
+    public val cvmin: Int,
+    public val title: String,
+    public val msaasamples: Int,
+    updatefrequency: Int,
+) : WindowState {
+    /** Length of one update in seconds. */
+    protected val updateStep: Double = 1.0 / updatefrequency
+    private var window = NULL
+    private var updates = 0L
+    private val mouse = MousePosition(0.0, 0.0)
+
+    final override var framebufferWidth: Int = width
+        private set
+    final override var framebufferHeight: Int = height
+        private set
+
+    /** Time of the last update in seconds since [run] began: the number of updates times their length, so it never drifts. */
+    public val currentTime: Double get() = updates * updateStep
+
+    /** Called once, with the context current, before the first update. */
+    protected open fun start() {}
+
+    /**
+     * Advances the game by [dt] seconds to time [t] (seconds). Floats as in the course: a Float holds t to 1 ms up to 2.3 hours and to
+     * 1 s at 10⁷ s; [currentTime] is the same number in double precision.
+     */
+    protected open fun update(
+        dt: Float,
+        t: Float,
+    ) {}
+
+    /** Draws the picture of time [t]; [dt] is the time since the last picture. Both in seconds. */
+    protected open fun render(
+        dt: Float,
+        t: Float,
+    ) {}
+
+    /** A key went down, up or repeats; GLFW's key, scancode, action and modifier constants. */
+    protected open fun onKey(
+        key: Int,
+        scancode: Int,
+        action: Int,
+        mode: Int,
+    ) {}
+
+    /** The cursor moved to ([xpos], [ypos]), screen coordinates from the top left. */
+    protected open fun onMouseMove(
+        xpos: Double,
+        ypos: Double,
+    ) {}
+
+    /** Called once, with the context still current, before the window closes. */
+    protected open fun shutdown() {}
+
+    override fun getKeyState(key: Int): Boolean = window != NULL && glfwGetKey(window, key) == GLFW_PRESS
+
+    /** The cursor's last position; the same object every time. */
+    public val mousePos: MousePosition get() = mouse
+
+    /** Shows the cursor, or hides it and lets it move without end. */
+    public fun setCursorVisible(visible: Boolean) {
+        glfwSetInputMode(window, GLFW_CURSOR, if (visible) GLFW_CURSOR_NORMAL else GLFW_CURSOR_DISABLED)
+    }
+
+    /** Ends [run] after the current picture. */
+    public fun quit() {
+        if (window != NULL) glfwSetWindowShouldClose(window, true)
+    }
+
+    /** The window's title. */
+    public fun setTitle(text: String) {
+        if (window != NULL) glfwSetWindowTitle(window, text)
+    }
+
+    /** The picture drawn so far, as the window will show it. Call it at the end of [render]. */
+    public fun readPicture(): ImageData {
+        val row = 4 * framebufferWidth
+        val pixels = MemoryUtil.memAlloc(row * framebufferHeight)
+        try {
+            glBindFramebuffer(GL_FRAMEBUFFER, 0)
+            glReadPixels(0, 0, framebufferWidth, framebufferHeight, GL_RGBA, GL_UNSIGNED_BYTE, pixels)
+            val rgba = ByteArray(pixels.capacity())
+            for (y in 0 until framebufferHeight) pixels.get(row * (framebufferHeight - 1 - y), rgba, row * y, row)
+            return ImageData(framebufferWidth, framebufferHeight, rgba)
+        } finally {
+            MemoryUtil.memFree(pixels)
+        }
+    }
+
+    /** Opens the window, plays until [quit] or the close button, closes the window. Throws [InputError] without a display. */
+    public fun run() {
+        open()
+        try {
+            start()
+            try {
+                loop()
+            } finally {
+                shutdown()
+            }
+        } finally {
+            close()
+        }
+    }
+
+    private fun open() {
+        Glfw.start(GLFW_ANY_PLATFORM)?.let {
+            throw InputError("no window can be opened here ($it): start it in a desktop session, or use render.")
+        }
+        Glfw.hintCoreProfile(cvmaj, cvmin)
+        glfwWindowHint(GLFW_OPENGL_FORWARD_COMPAT, GLFW_TRUE)
+        glfwWindowHint(GLFW_SAMPLES, msaasamples)
+        window = glfwCreateWindow(width, height, title, if (fullscreen) glfwGetPrimaryMonitor() else NULL, NULL)
+        if (window == NULL) {
+            val reason = Glfw.lastError()
+            glfwTerminate()
+            throw InputError("no window with OpenGL $cvmaj.$cvmin can be opened ($reason): install or update the graphics driver.")
+        }
+        Glfw.makeCurrent(window)
+        glfwSwapInterval(if (vsync) 1 else 0)
+        listen()
+    }
+
+    private fun listen() {
+        glfwSetKeyCallback(window) { _, key, scancode, action, mode -> onKey(key, scancode, action, mode) }
+        glfwSetCursorPosCallback(window) { _, xpos, ypos ->
+            mouse.xpos = xpos
+            mouse.ypos = ypos
+            onMouseMove(xpos, ypos)
+        }
+        glfwSetFramebufferSizeCallback(window) { _, w, h -> resize(w, h) }
+        val w = IntArray(1)
+        val h = IntArray(1)
+        glfwGetFramebufferSize(window, w, h)
+        resize(w[0], h[0])
+    }
+
+    // A minimised window has the size 0: keep the last one, nothing is shown anyway.
+    private fun resize(
+        w: Int,
+        h: Int,
+    ) {
+        if (w == 0 || h == 0) return
+        framebufferWidth = w
+        framebufferHeight = h
+    }
+
+    private fun loop() {
+        var last = glfwGetTime()
+        var owed = 0.0
+        while (!glfwWindowShouldClose(window)) {
+            glfwPollEvents()
+            val now = glfwGetTime()
+            val elapsed = now - last
+            last = now
+            // After a pause (a dragged window, a debugger) the game goes on, it does not catch up.
+            owed = minOf(owed + elapsed, MAX_CATCH_UP)
+            while (owed >= updateStep) {
+                updates++
+                update(updateStep.toFloat(), currentTime.toFloat())
+                owed -= updateStep
+            }
+            glBindFramebuffer(GL_FRAMEBUFFER, 0)
+            glViewport(0, 0, framebufferWidth, framebufferHeight)
+            render(elapsed.toFloat(), currentTime.toFloat())
+            glfwSwapBuffers(window)
+        }
+    }
+
+    private fun close() {
+        glfwFreeCallbacks(window)
+        Glfw.stop(window)
+        window = NULL
+    }
+
+    private companion object {
+        const val MAX_CATCH_UP = 0.25
+    }
+}

@@ -1,0 +1,28 @@
+package cga.framework.context
+
+import org.lwjgl.glfw.GLFW.*
+import org.lwjgl.system.MemoryUtil.NULL
+
+/** A window of the desktop that is never shown, for its context. */
+internal class HiddenWindowContext : OffscreenContext {
+    override val kind: ContextKind = ContextKind.WINDOW
+    private val window: Long
+
+    init {
+        Glfw.start(GLFW_ANY_PLATFORM)?.let {
+            throw ContextUnavailable("window: no display ($it). Start it in a desktop session, or under xvfb-run.")
+        }
+        Glfw.hintCoreProfile()
+        glfwWindowHint(GLFW_VISIBLE, GLFW_FALSE)
+        glfwWindowHint(GLFW_OPENGL_FORWARD_COMPAT, GLFW_TRUE)
+        window = glfwCreateWindow(1, 1, "", NULL, NULL)
+        if (window == NULL) {
+            val reason = Glfw.lastError()
+            glfwTerminate()
+            throw ContextUnavailable("window: $reason. Install the graphics driver (Debian or Ubuntu: apt-get install libgl1 libgl1-mesa-dri).")
+        }
+        Glfw.makeCurrent(window)
+    }
+
+    override fun close(): Unit = Glfw.stop(window)
+}

@@ -1,0 +1,77 @@
+package cga.build
+
+import org.w3c.dom.Element
+import org.w3c.dom.Node
+import javax.xml.parsers.DocumentBuilderFactory
+
+/**
+ * What pom.xml says of the build, as facts that [gradleFacts] names alike.
+ *
+ * Throws [IllegalStateException] where it could overlook something.
+ */
+internal fun mavenFacts(pom: String): Map<String, String> = MavenBuild(pom).facts()
+
+private class MavenBuild(pom: String) {
+    private val project = DocumentBuilderFactory.newInstance().newDocumentBuilder().parse(pom.byteInputStream()).documentElement
+    private val properties = project.child("properties").children().associate { it.tagName to it.textContent }
+    private val build = project.child("build")
+    private val kotlin = plugin("kotlin-maven-plugin")
+    private val surefire = plugin("maven-surefire-plugin").child("configuration")
+
+    fun facts(): Map<String, String> =
+        buildMap {
+            put("name", project.value("artifactId"))
+            put("group", project.value("groupId"))
+            put("version", project.value("version"))
+            put("Kotlin", kotlin.value("version"))
+            put("JVM target", kotlin.child("configuration").value("jvmTarget"))
+            put("main sources", sources("sourceDirectory"))
+            put("test sources", sources("testSourceDirectory"))
+            put("warnings are errors", ("-Werror" in arguments(kotlin.child("configuration"))).toString())
+            put("explicit API", ("-Xexplicit-api=strict" in arguments(execution("compile"))).toString())
+            putAll(testFacts())
+            putAll(dependencies())
+        }
+
+    private fun sources(element: String): String {
+        check(project.getElementsByTagName("sourceDirs").length == 0) { "pom.xml: <sourceDirs>: this test knows only <$element>" }
+        return build.value(element)
+    }
+
+    private fun execution(goal: String) =
+        kotlin.child("executions").children().single { it.child("goals").value("goal") == goal }.child("configuration")
+
+    private fun arguments(configuration: Element) = configuration.child("args").children().map { it.textContent }
+
+    private fun testFacts(): Map<String, String> {
+        val arguments = surefire.value("argLine").split(' ')
+        val environment = surefire.child("environmentVariables").children().associate { "test environment ${it.tagName}" to it.textContent }
+        val properties = arguments.filter { it.startsWith("-D") }.associate {
+            "test property ${it.substringBefore('=').drop(2)}" to it.substringAfter('=')
+        }
+        return environment + properties + ("test heap" to arguments.single { it.startsWith("-Xmx") }.drop(4))
+    }
+
+    private fun dependencies(): Map<String, String> {
+        val dependencies = project.child("dependencies").children()
+        check(project.getElementsByTagName("dependency").length == dependencies.size) { "pom.xml: dependencies outside of the one list" }
+        return dependencies.associate { dependency ->
+            val scope = dependency.optional("scope") ?: "compile"
+            val name = listOfNotNull(dependency.value("groupId"), dependency.value("artifactId"), dependency.optional("classifier"))
+            "$scope ${name.joinToString(":")}" to dependency.value("version")
+        }
+    }
+
+    private fun plugin(artifact: String) = build.child("plugins").children().single { it.value("artifactId") == artifact }
+
+    private fun Element.value(name: String): String = interpolated(child(name).textContent)
+
+    private fun Element.optional(name: String): String? = children().firstOrNull { it.tagName == name }?.textContent
+
+    private fun interpolated(text: String) = text.replace(Regex("""\$\{(.+?)}""")) { properties[it.groupValues[1]] ?: it.value }
+
+    private fun Element.child(name: String): Element =
+        children().singleOrNull { it.tagName == name } ?: error("pom.xml: <$tagName> without exactly one <$name>")
+
+    private fun Node.children(): List<Element> = (0 until childNodes.length).map { childNodes.item(it) }.filterIsInstance<Element>()
+}

@@ -1,0 +1,14 @@
+package cga.build
+
+import java.io.File
+
+/** The project's folder: both builds start the tests there. */
+internal val projectRoot: File = File("").absoluteFile
+
+/** The Kotlin files below these folders, as paths relative to the project, in one order on every machine. */
+internal fun kotlinFiles(vararg folders: String): List<File> =
+    folders
+        .flatMap { projectRoot.resolve(it).walk() }
+        .filter { it.isFile && it.extension == "kt" }
+        .map { it.relativeTo(projectRoot) }
+        .sortedBy { it.invariantSeparatorsPath }

@@ -8,12 +8,13 @@ from math import exp
 from pathlib import Path
 
 HERE = Path(__file__).resolve().parent
+sys.dont_write_bytecode = True
 sys.path.insert(0, str(HERE.parent / "make"))
 
-from check import check_model  # noqa: E402
 from material import write_mtl  # noqa: E402
-from mesh import Part, write_obj  # noqa: E402
-from paint import Canvas, noise  # noqa: E402
+from mesh import Part  # noqa: E402
+from model import save_model  # noqa: E402
+from paint import Canvas, noise, paint, save_maps  # noqa: E402
 
 HALF = 22.4
 QUADS = 16  # a side: the vectors to the lights are interpolated over quads of 2.8, not over the whole plane
@@ -23,15 +24,12 @@ LINE, EDGE, HALO = 0.018, 0.012, 0.06  # of a cell: half the line, its soft edge
 
 
 def main():
-    path = HERE / "ground.obj"
-    write_obj(path, "ground.mtl", [make_plane()], "CGA Lights: the ground, made by make_ground.py. MIT licence.")
     write_mtl(HERE / "ground.mtl", {"ground": 60})
-    for kind, texel in (("emissive", emissive), ("diffuse", diffuse), ("specular", specular)):
-        canvas = Canvas(SIZE, SIZE)
-        canvas.paint(texel)
-        canvas.save(HERE / f"ground_{kind}.png")
-    count = check_model(path, (2 * QUADS ** 2,) * 2, (-HALF, 0.0, -HALF), (HALF, 0.0, HALF), closed=False)
-    print(f"{path.name}: {count} triangles")
+    maps = [Canvas(SIZE, SIZE) for _ in range(3)]
+    paint(maps, lambda u, v: (diffuse(u, v), specular(u, v), emissive(u, v)))
+    save_maps(maps, HERE, "ground")
+    box = (-HALF, 0.0, -HALF), (HALF, 0.0, HALF)
+    save_model(HERE / "ground.obj", "ground.mtl", [make_plane()], *box, (2 * QUADS ** 2,) * 2, closed=False)
 
 
 def make_plane():
@@ -47,7 +45,7 @@ def border(u, v):
     return min(u, 1 - u), min(v, 1 - v)
 
 
-def emissive(u, v, _):
+def emissive(u, v):
     """A bright core with a soft edge, and a halo that adds up where lines cross."""
     glow = 0.0
     for d in border(u, v):
@@ -56,16 +54,16 @@ def emissive(u, v, _):
     return min(1.0, glow)
 
 
-def diffuse(u, v, _):
+def diffuse(u, v):
     """A tile of four plates, brushed, with dark joints and a light bevel."""
     across = min(abs(u - 0.5), abs(v - 0.5))
     joint = 0.78 if across < 0.008 else 1.08 if across < 0.016 else 1.0
     plate = 0.03 * noise(int(u * 2), int(v * 2), 3)
     grain = 0.03 * noise(int(u * SIZE), int(v * SIZE / 8), 1) + 0.02 * noise(int(u * SIZE / 2), int(v * SIZE / 2), 2)
-    return (0.50 + plate + grain) * joint * (0.75 if min(border(u, v)) < LINE else 1.0)
+    return (0.62 + plate + grain) * joint * (0.75 if min(border(u, v)) < LINE else 1.0)
 
 
-def specular(u, v, _):
+def specular(u, v):
     """Polished plates, dull joints."""
     across = min(abs(u - 0.5), abs(v - 0.5))
     polish = 0.42 + 0.08 * noise(int(u * 2), int(v * 2), 5) + 0.08 * noise(int(u * SIZE / 4), int(v * SIZE / 4), 4)

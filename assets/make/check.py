@@ -30,7 +30,8 @@ def require(condition, path, fault):
 
 
 def check_model(path, triangles, low, high, closed=True):
-    """Checks the count of triangles (a range), the bounding box (within low..high, and at least 90 % of it), and every face."""
+    """Checks the count of triangles (a range), the bounding box (within low..high, and at least 90 % of it), every face, and that
+    each connected part is closed and wound outward, or, if it is not to be closed, looks up."""
     points, coordinates, normals, groups = read_obj(path)
     count = sum(map(len, groups.values()))
     require(triangles[0] <= count <= triangles[1], path, f"{count} triangles, not {triangles[0]} to {triangles[1]}")
@@ -46,6 +47,7 @@ def check_model(path, triangles, low, high, closed=True):
     for material, faces in groups.items():
         for face in faces:
             _check_face(path, material, face, points, coordinates, normals)
+            require(closed or all(normals[corner[2]][1] > 0 for corner in face), path, f"{material}: a face looks down")
         if closed:
             for component in _components(faces):
                 _check_closed(path, material, component, points)

@@ -4,7 +4,7 @@ from itertools import product
 from math import floor, sqrt
 
 from mesh import Part
-from vec import add, dot, length, scale, sub, unit
+from vec import add, length, scale, sub, unit
 
 
 class Blend:

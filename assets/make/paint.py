@@ -11,28 +11,29 @@ class Canvas:
         self.width, self.height = width, height
         self.data = array("f", [value]) * (width * height)
 
-    def paint(self, function, box=(0.0, 0.0, 1.0, 1.0)):
-        """Sets each texel in `box` (u0, v0, u1, v1) to function(u, v, old), with u and v running 0..1 across the box."""
-        x0, x1 = round(box[0] * self.width), round(box[2] * self.width)
-        y0, y1 = round(box[1] * self.height), round(box[3] * self.height)
-        us = [(x + 0.5 - x0) / (x1 - x0) for x in range(x0, x1)]
-        for y in range(y0, y1):
-            v, at = (y + 0.5 - y0) / (y1 - y0), y * self.width + x0
-            for i, u in enumerate(us, at):
-                self.data[i] = function(u, v, self.data[i])
-
     def save(self, path):
-        write_png(path, self.width, self.height, 1, bytes(self._rows(lambda value: (value,))))
+        flipped = (self.data[y * self.width:(y + 1) * self.width] for y in range(self.height - 1, -1, -1))
+        write_png(path, self.width, self.height, bytes(max(0, min(255, int(v * 255 + 0.5))) for row in flipped for v in row))
 
-    def save_tinted(self, path, tint):
-        """Saves the canvas times an RGB `tint`."""
-        write_png(path, self.width, self.height, 3, bytes(self._rows(lambda value: [value * c for c in tint])))
 
-    def _rows(self, texel):
-        for y in range(self.height - 1, -1, -1):
-            for value in self.data[y * self.width:(y + 1) * self.width]:
-                for c in texel(value):
-                    yield max(0, min(255, int(c * 255 + 0.5)))
+def paint(canvases, function, box=(0.0, 0.0, 1.0, 1.0), margin=0.0):
+    """Paints `box` (u0, v0, u1, v1) of several canvases of one size: function(u, v), with u and v running 0..1 across the box,
+    gives a value for each. A margin around the box gets the colours of its edge, so that no filter reaches a neighbour's."""
+    width, height = canvases[0].width, canvases[0].height
+    xs = range(max(0, round((box[0] - margin) * width)), min(width, round((box[2] + margin) * width)))
+    ys = range(max(0, round((box[1] - margin) * height)), min(height, round((box[3] + margin) * height)))
+    for y in ys:
+        v = max(0.0, min(1.0, ((y + 0.5) / height - box[1]) / (box[3] - box[1])))
+        for x in xs:
+            u = max(0.0, min(1.0, ((x + 0.5) / width - box[0]) / (box[2] - box[0])))
+            for canvas, value in zip(canvases, function(u, v)):
+                canvas.data[y * width + x] = value
+
+
+def save_maps(canvases, folder, material):
+    """Saves the diffuse, specular and emissive canvas of a material under the names that `write_mtl` gives them."""
+    for canvas, kind in zip(canvases, ("diffuse", "specular", "emissive")):
+        canvas.save(folder / f"{material}_{kind}.png")
 
 
 def strip(distance, half_width, halo=0.0, strength=0.0):

@@ -1,17 +1,16 @@
-"""A PNG writer: 8 bits a channel, grey or RGB, standard library only."""
+"""A PNG writer for grey pictures of 8 bits."""
 
 import struct
 import zlib
 
 
-def write_png(path, width, height, channels, data):
-    """Writes `data` (bytes, row by row from the top, `channels` = 1 or 3 bytes a pixel) to `path`."""
-    if channels not in (1, 3) or len(data) != width * height * channels:
-        raise ValueError(f"{path}: {len(data)} bytes do not make {width}x{height}x{channels}")
-    stride = width * channels
-    rows = [data[y * stride:(y + 1) * stride] for y in range(height)]
-    body = b"".join(_filtered(row, rows[y - 1] if y else bytes(stride), channels) for y, row in enumerate(rows))
-    header = struct.pack(">IIBBBBB", width, height, 8, 0 if channels == 1 else 2, 0, 0, 0)
+def write_png(path, width, height, grey):
+    """Writes `grey` (one byte a pixel, row by row from the top) to `path`."""
+    if len(grey) != width * height:
+        raise ValueError(f"{path}: {len(grey)} bytes do not make {width}x{height} pixels")
+    rows = [grey[y * width:(y + 1) * width] for y in range(height)]
+    body = b"".join(_filtered(row, above) for row, above in zip(rows, [bytes(width)] + rows))
+    header = struct.pack(">IIBBBBB", width, height, 8, 0, 0, 0, 0)
     with open(path, "wb") as file:
         file.write(b"\x89PNG\r\n\x1a\n")
         for kind, payload in ((b"IHDR", header), (b"IDAT", zlib.compress(body, 9)), (b"IEND", b"")):
@@ -19,12 +18,11 @@ def write_png(path, width, height, channels, data):
             file.write(struct.pack(">I", zlib.crc32(kind + payload)))
 
 
-def _filtered(row, above, channels):
+def _filtered(row, above):
     """The row behind its filter byte: unfiltered (0), left (1) or up (2), whichever has the smallest residuals."""
-    left = bytes(channels) + row[:-channels]
     candidates = (
         (0, row),
-        (1, bytes((a - b) & 255 for a, b in zip(row, left))),
+        (1, bytes((a - b) & 255 for a, b in zip(row, b"\0" + row))),
         (2, bytes((a - b) & 255 for a, b in zip(row, above))),
     )
     kind, best = min(candidates, key=lambda c: sum(min(v, 256 - v) for v in c[1]))

@@ -7,14 +7,14 @@ import sys
 from pathlib import Path
 
 HERE = Path(__file__).resolve().parent
+sys.dont_write_bytecode = True
 sys.path.insert(0, str(HERE.parent / "make"))
 
 from atlas import HULL  # noqa: E402
-from check import check_model  # noqa: E402
 from fittings import make_fittings  # noqa: E402
 from hull import make_hull  # noqa: E402
 from material import write_mtl  # noqa: E402
-from mesh import write_obj  # noqa: E402
+from model import save_model  # noqa: E402
 from rider import make_rider  # noqa: E402
 from textures import write_textures  # noqa: E402
 from wheels import FRONT, REAR, make_wheel  # noqa: E402
@@ -26,11 +26,7 @@ def main():
     parts = [make_hull(HULL)] + make_wheel(FRONT) + make_wheel(REAR) + make_rider() + make_fittings()
     write_textures(HERE)
     write_mtl(HERE / "motorcycle.mtl", SHININESS)
-    path, draft = HERE / "motorcycle.obj", HERE / "motorcycle.obj.part"
-    write_obj(draft, "motorcycle.mtl", parts, "CGA Lights: a light cycle, made by make_motorcycle.py. MIT licence.")
-    count = check_model(draft, (10_000, 40_000), (-0.4, 0.0, -1.8), (0.4, 1.35, 1.8))
-    draft.replace(path)
-    print(f"{path.name}: {len(parts)} parts, {count} triangles")
+    save_model(HERE / "motorcycle.obj", "motorcycle.mtl", parts, (-0.4, 0.0, -1.8), (0.4, 1.35, 1.8), (10_000, 40_000))
 
 
 if __name__ == "__main__":

@@ -4,7 +4,7 @@ from math import cos, exp, hypot, pi
 
 import atlas
 from hull import BELT, FACETS, FRONT_END, LIP, REAR_END, SHOULDER, half_section
-from paint import Canvas, noise, strip
+from paint import Canvas, noise, paint, save_maps, strip
 from shape import curve
 
 MARGIN = 0.02  # of a texture, around each box of the atlas
@@ -16,7 +16,7 @@ def write_textures(folder):
     _painted(folder, "tyre", 512, [(atlas.WHOLE, _tyre)], height=256)
     _painted(folder, "rim", 128, [(atlas.WHOLE, _rim)])
     _painted(folder, "glass", 128, [(atlas.SCREEN, _screen), (atlas.VISOR, _visor)])
-    _painted(folder, "trim", 8, [(atlas.WHOLE, lambda u, v: (0.16, 0.7, 0.03))])
+    _painted(folder, "trim", 8, [(atlas.WHOLE, lambda u, v: (0.18, 0.7, 0.06))])
     _painted(folder, "glow", 8, [(atlas.WHOLE, lambda u, v: (0.3, 0.3, 1.0))])
 
 
@@ -24,26 +24,8 @@ def _painted(folder, name, width, layers, height=None):
     """Saves the three maps of a material whose layers are (box, function of u, v -> (diffuse, specular, emissive))."""
     maps = [Canvas(width, height or width) for _ in range(3)]
     for box, function in layers:
-        _fill(maps, box, function)
-    _save(maps, folder, name)
-
-
-def _fill(maps, box, function):
-    """Paints a box, and a margin around it with the colours of its edge, so that no filter reaches a neighbour's."""
-    width, height = maps[0].width, maps[0].height
-    xs = range(max(0, int((box[0] - MARGIN) * width)), min(width, int((box[2] + MARGIN) * width)))
-    ys = range(max(0, int((box[1] - MARGIN) * height)), min(height, int((box[3] + MARGIN) * height)))
-    for y in ys:
-        v = max(0.0, min(1.0, ((y + 0.5) / height - box[1]) / (box[3] - box[1])))
-        for x in xs:
-            u = max(0.0, min(1.0, ((x + 0.5) / width - box[0]) / (box[2] - box[0])))
-            for canvas, value in zip(maps, function(u, v)):
-                canvas.data[y * width + x] = value
-
-
-def _save(maps, folder, name):
-    for canvas, kind in zip(maps, ("diffuse", "specular", "emissive")):
-        canvas.save(folder / f"{name}_{kind}.png")
+        paint(maps, function, box, MARGIN)
+    save_maps(maps, folder, name)
 
 
 # ---- the hull -------------------------------------------------------------------------------------------------------
@@ -78,9 +60,9 @@ def _body(folder):
             texel = _hull_texel(z, t, a[1] + (b[1] - a[1]) * f, a[2] + (b[2] - a[2]) * f, marks)
             for canvas, value in zip(maps, texel):
                 canvas.data[y * width + x] = value
-    _fill(maps, atlas.FIN, _fin)
-    _fill(maps, atlas.BLADE, _blade)
-    _save(maps, folder, "body")
+    paint(maps, _fin, atlas.FIN, MARGIN)
+    paint(maps, _blade, atlas.BLADE, MARGIN)
+    save_maps(maps, folder, "body")
 
 
 def _hull_column(z):
@@ -127,11 +109,12 @@ def _hull_texel(z, t, s, sky, marks):
     if t > FACETS[LIP] + 0.02:
         return 0.08, 0.2, 0.0
     shoulder, belt, lip, sweep = marks
-    low = s > sweep
+    inlay = z > 0.66 and s < shoulder - 0.022
+    low = s > sweep or inlay  # of dark carbon
     panel = noise(sum(z > j for j in JOINTS), 2 if low else 1 if t > FACETS[SHOULDER] else 0, 7)
     diffuse = (0.20 if low else 0.40) + 0.06 * panel
     specular = (0.75 if low else 0.5) + 0.2 * panel
-    emissive = (0.03 + 0.16 * sky) if low else (0.05 + 0.34 * sky)
+    emissive = (0.03 + (0.28 if inlay else 0.18) * sky) if low else (0.06 + 0.38 * sky)
     beside = min(abs(z - j + 0.12 * (s - belt)) for j in JOINTS)
     left = 1 - 0.75 * strip(beside, 0.006)
     diffuse, specular, emissive = diffuse * left, specular * left, emissive * left + 0.05 * strip(beside - 0.013, 0.004)
@@ -148,7 +131,7 @@ def _hull_light(z, s, marks):
     light = max(light, 0.8 * strip(s - lip, 0.010, 0.03, 0.3))
     if z < -0.62 or z > 0.58:
         light = max(light, 0.95 * strip(s - shoulder, 0.012, 0.035, 0.35))
-    for tip in (0.86, 1.02, 1.18, 1.34):
+    for tip in (0.88, 1.06, 1.24, 1.42):
         if s < 0.105:
             light = max(light, strip((z - tip - 0.9 * s) * 0.74, 0.017, 0.03, 0.35) * min(1.0, (0.105 - s) * 60))
     for k in range(3):
@@ -158,7 +141,7 @@ def _hull_light(z, s, marks):
 
 
 def _fin(u, v):
-    return 0.35, 0.7, max(0.18, strip(v, 0.30, 0.25, 0.5))
+    return 0.35, 0.7, max(0.24, strip(v, 0.30, 0.25, 0.5))
 
 
 def _blade(u, v):
@@ -194,7 +177,7 @@ def _rim(u, v):
 
 
 def _rider_layers():
-    return [(atlas.SUIT, _leather(0.20, 0.5, 0.04, 0.16)), (atlas.BOOT, _leather(0.10, 0.7, 0.02, 0.08)), (atlas.HELMET, _helmet)]
+    return [(atlas.SUIT, _leather(0.24, 0.5, 0.05, 0.21)), (atlas.BOOT, _leather(0.10, 0.7, 0.02, 0.08)), (atlas.HELMET, _helmet)]
 
 
 def _leather(diffuse, specular, base, sky):
@@ -215,6 +198,8 @@ def _helmet(u, v):
     light = strip(x, 0.024, 0.04, 0.4) if 0.16 < v < 0.80 else 0.0
     if 0.16 < v < 0.72:
         light = max(light, 0.9 * strip(x - 0.24 * min(1.0, (v - 0.16) / 0.22) ** 0.6, 0.016, 0.03, 0.35))
+    if v < 0.14:
+        return 0.12, 0.4, max(0.02 + 0.07 * _above(u), light)
     return 0.34, 0.85, max(0.05 + 0.24 * _above(u), light)
 
 

@@ -2,6 +2,7 @@ package cga.cli
 
 import cga.measure.FrameBench
 import cga.measure.ProcessBench
+import cga.measure.Sample
 import com.github.ajalt.clikt.core.CliktCommand
 import com.github.ajalt.clikt.core.Context
 import com.github.ajalt.clikt.core.terminal
@@ -37,5 +38,5 @@ internal class BenchCommand : CliktCommand("bench") {
         echo("${size.width}x${size.height}, step 4.7, ${frame.renderer}, ${Runtime.getRuntime().availableProcessors()} processors")
     }
 
-    private fun cga.measure.Sample.columns(format: String): Array<String> = arrayOf(median, lowest, highest).map { format.format(it) }.toTypedArray()
+    private fun Sample.columns(format: String) = arrayOf(median, lowest, highest).map { format.format(it) }.toTypedArray()
 }

@@ -24,12 +24,15 @@ internal class DoctorCommand : CliktCommand("doctor") {
     )
 
     override fun run() {
-        echo("Java ${System.getProperty("java.version")}, ${System.getProperty("os.name")} ${System.getProperty("os.arch")}, LWJGL ${Version.getVersion()}")
+        val (java, system, processor) = listOf("java.version", "os.name", "os.arch").map(System::getProperty)
+        echo("Java $java, $system $processor, LWJGL ${Version.getVersion()}")
         val findings = ContextKind.entries.map(::examine)
         terminal.println(
             table {
                 whitespace = Whitespace.PRE_WRAP
+                // The heading's width and the padding; only the text may wrap.
                 column(0) { width = ColumnWidth.Fixed(9) }
+                column(1) { width = ColumnWidth.Fixed(7) }
                 header { row("context", "works", "OpenGL and renderer, or the reason") }
                 body { findings.forEach { row(it.kind.name.lowercase(), if (it.works) "yes" else "no", it.text) } }
             },

@@ -36,7 +36,7 @@ internal class RenderCommand : CliktCommand("render") {
 
     private val step by stepOption()
     private val size by sizeOption()
-    private val time by option("--t", metavar = "SECONDS", help = "Time of the (first) picture. Default: the drive script's end, else $PRETTY_TIME")
+    private val time by option("--t", metavar = "SECONDS", help = "Time of the picture. Default: the drive script's end, else $PRETTY_TIME")
         .double()
     private val mouse by option("--mouse", metavar = "DX", help = "Move the mouse so many pixels to the right; over all frames together")
         .double()
@@ -50,7 +50,7 @@ internal class RenderCommand : CliktCommand("render") {
     private val gamma by option("--gamma", metavar = "G", help = "Encode the colours for a screen of this gamma. Default: 1, none")
         .float()
         .default(1f)
-    private val out by option("--out", metavar = "FILE.png", help = "Where the picture goes. Default: motorcycle.png, unless --float is given")
+    private val out by option("--out", metavar = "FILE.png", help = "The picture. Default: motorcycle.png, unless --float is given")
         .path()
     private val float by option("--float", metavar = "FILE.exr", help = "The unclamped picture as OpenEXR, RGBA32F").path()
     private val context by contextOption()
@@ -68,7 +68,7 @@ internal class RenderCommand : CliktCommand("render") {
     }
 
     private fun checkUsage() {
-        requireUsage(time.let { it == null || it.isFinite() && it >= 0 }) { "--t $time: the time must be finite and not negative" }
+        requireUsage(time.let { it == null || (it.isFinite() && it >= 0) }) { "--t $time: the time must be finite and not negative" }
         requireUsage(mouse.isFinite()) { "--mouse $mouse: the way must be finite" }
         requireUsage(gamma.isFinite() && gamma > 0) { "--gamma $gamma: gamma must be finite and greater than 0" }
         requireUsage(frames in 1..MAX_FRAMES) { "--frames $frames: from 1 to $MAX_FRAMES" }
@@ -142,7 +142,7 @@ internal class RenderCommand : CliktCommand("render") {
 
     internal companion object {
         /** A time at which the motorcycle has a saturated colour; at 0 it would be black. */
-        const val PRETTY_TIME = 5.5
+        const val PRETTY_TIME = 5.3
         private const val MAX_FRAMES = 9999
     }
 }

@@ -1,6 +1,7 @@
 package cga.cli
 
 import cga.exercise.game.Game
+import cga.framework.Display
 import com.github.ajalt.clikt.core.CliktCommand
 import com.github.ajalt.clikt.core.Context
 import com.github.ajalt.clikt.core.parse
@@ -19,7 +20,7 @@ internal class RunCommand : CliktCommand("run") {
     private val samples by option("--samples", metavar = "N", help = "Samples a pixel. Default: 4").int().default(4)
 
     override fun run() {
-        if (!hasDisplay()) {
+        if (!Display.isPresent) {
             echo("no display here: rendering off screen to motorcycle.png", err = true)
             val picture = listOf("--step", step.sheet, "--size", "${size.width}x${size.height}", "--samples", "$samples")
             return RenderCommand().parse(picture)
@@ -27,9 +28,4 @@ internal class RunCommand : CliktCommand("run") {
         echo(Game.HELP, err = true)
         Game(size.width, size.height, fullscreen, samples, step).run()
     }
-
-    // Windows and macOS always have one.
-    private fun hasDisplay(): Boolean =
-        !System.getProperty("os.name").startsWith("Linux") ||
-            listOf("DISPLAY", "WAYLAND_DISPLAY").any { !System.getenv(it).isNullOrEmpty() }
 }

@@ -37,7 +37,9 @@ public class DriveScript private constructor(private val parts: List<Part>) {
                 text.split(',').map { part ->
                     val (letters, seconds) =
                         PART.matchEntire(part.trim())?.destructured
-                            ?: throw InputError("drive script \"$text\": cannot read \"${part.trim()}\". Write keys and seconds, as in \"W 2, WA 0.5\".")
+                            ?: throw InputError(
+                                "drive script: cannot read \"${part.trim()}\". Write keys and seconds, as in \"W 2, WA 0.5\".",
+                            )
                     end += seconds.toDouble()
                     Part(letters.uppercase().map(KEYS::getValue).toSet(), end)
                 },

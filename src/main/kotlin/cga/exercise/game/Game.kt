@@ -91,7 +91,10 @@ public class Game(
         }
     }
 
-    private fun freeName(): Path = generateSequence(1) { it + 1 }.map { Path.of("screenshot-%03d.png".format(it)) }.first { !Files.exists(it) }
+    private fun freeName(): Path {
+        val names = generateSequence(1) { it + 1 }.map { Path.of("screenshot-%03d.png".format(it)) }
+        return names.first { !Files.exists(it) }
+    }
 
     public companion object {
         /** The keys, for people. */

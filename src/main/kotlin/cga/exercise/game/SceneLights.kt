@@ -12,16 +12,16 @@ import org.joml.Vector3fc
 internal class SceneLights(motorcycle: Transformable) {
     private val pointLight = PointLight(Vector3f(0f, 1.6f, 0f), WHITE).apply { parent = motorcycle }
     private val spotLight =
-        SpotLight(Vector3f(0f, 0.7f, -1.7f), Vector3f(3f, 3f, 2.7f), radians(16f), radians(28f)).apply {
-            rotateLocal(radians(-9f), 0f, 0f)
+        SpotLight(Vector3f(0f, 0.9f, -1.6f), Vector3f(5f, 5f, 4.5f), radians(7f), radians(24f)).apply {
+            rotateLocal(radians(-4f), 0f, 0f)
             parent = motorcycle
         }
     private val cornerLights =
         listOf(
-            corner(-1, -1, Vector3f(5f, 0.3f, 0.2f)),
-            corner(1, -1, Vector3f(0.3f, 0.6f, 6f)),
-            corner(-1, 1, Vector3f(4f, 3f, 0.2f)),
-            corner(1, 1, Vector3f(4f, 0.3f, 4f)),
+            corner(-1, -1, Vector3f(16f, 1f, 0.5f)),
+            corner(1, -1, Vector3f(0.5f, 2f, 16f)),
+            corner(-1, 1, Vector3f(14f, 9f, 0.5f)),
+            corner(1, 1, Vector3f(13f, 0.5f, 10f)),
         )
     private val attenuated = (cornerLights + pointLight + spotLight).associateWith { Vector3f(it.attenuation) }
 
@@ -54,7 +54,7 @@ internal class SceneLights(motorcycle: Transformable) {
     }
 
     private companion object {
-        const val CORNER = 19f
+        const val CORNER = 16f
         val WHITE: Vector3fc = Vector3f(1f)
         val CONSTANT: Vector3fc = Vector3f(1f, 0f, 0f)
 
@@ -68,6 +68,6 @@ internal class SceneLights(motorcycle: Transformable) {
             x: Int,
             z: Int,
             color: Vector3fc,
-        ) = PointLight(Vector3f(x * CORNER, 1f, z * CORNER), color)
+        ) = PointLight(Vector3f(x * CORNER, 1.2f, z * CORNER), color)
     }
 }

@@ -1,5 +1,6 @@
 package cga.framework.context
 
+import cga.framework.Display
 import org.lwjgl.glfw.GLFW.*
 import org.lwjgl.system.MemoryUtil.NULL
 
@@ -9,17 +10,16 @@ internal class HiddenWindowContext : OffscreenContext {
     private val window: Long
 
     init {
-        Glfw.start(GLFW_ANY_PLATFORM)?.let {
-            throw ContextUnavailable("window: no display ($it). Start it in a desktop session, or under xvfb-run.")
-        }
+        val reason = if (Display.isPresent) Glfw.start(GLFW_ANY_PLATFORM) else "neither DISPLAY nor WAYLAND_DISPLAY is set"
+        if (reason != null) throw ContextUnavailable("window: no display ($reason). Start it in a desktop session, or under xvfb-run.")
         Glfw.hintCoreProfile()
         glfwWindowHint(GLFW_VISIBLE, GLFW_FALSE)
         glfwWindowHint(GLFW_OPENGL_FORWARD_COMPAT, GLFW_TRUE)
         window = glfwCreateWindow(1, 1, "", NULL, NULL)
         if (window == NULL) {
-            val reason = Glfw.lastError()
+            val refusal = Glfw.lastError()
             glfwTerminate()
-            throw ContextUnavailable("window: $reason. Install the graphics driver (Debian or Ubuntu: apt-get install libgl1 libgl1-mesa-dri).")
+            throw ContextUnavailable("window: $refusal. Install the driver (Debian or Ubuntu: apt-get install libgl1 libgl1-mesa-dri).")
         }
         Glfw.makeCurrent(window)
     }

@@ -75,5 +75,6 @@ public object ExrFile {
             .compression_type(TINYEXR_COMPRESSIONTYPE_ZIP)
     }
 
-    private fun message(error: PointerBuffer): String = if (error[0] == MemoryUtil.NULL) "no reason given" else MemoryUtil.memASCII(error[0])
+    private fun message(error: PointerBuffer): String =
+        if (error[0] == MemoryUtil.NULL) "no reason given" else MemoryUtil.memASCII(error[0])
 }

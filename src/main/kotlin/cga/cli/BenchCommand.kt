@@ -18,12 +18,13 @@ internal class BenchCommand : CliktCommand("bench") {
 
     private val runs by option("--runs", metavar = "N", help = "Processes to measure. Default: 9").int().restrictTo(min = 1).default(9)
     private val frames by option("--frames", metavar = "N", help = "Frames to measure. Default: 200").int().restrictTo(min = 1).default(200)
+    private val step by stepOption()
     private val size by sizeOption()
     private val context by contextOption()
 
     override fun run() {
-        val process = ProcessBench.measure(runs, size.width, size.height)
-        val frame = FrameBench.measure(context, frames, size.width, size.height)
+        val process = ProcessBench.measure(runs, step, size.width, size.height)
+        val frame = FrameBench.measure(context, frames, step, size.width, size.height)
         terminal.println(
             table {
                 header { row("figure", "median", "lowest", "highest") }
@@ -35,7 +36,7 @@ internal class BenchCommand : CliktCommand("bench") {
                 }
             },
         )
-        echo("${size.width}x${size.height}, step 4.7, ${frame.renderer}, ${Runtime.getRuntime().availableProcessors()} processors")
+        echo("${size.width}x${size.height}, step ${step.sheet}, ${frame.renderer}, ${Runtime.getRuntime().availableProcessors()} processors")
     }
 
     private fun Sample.columns(format: String) = arrayOf(median, lowest, highest).map { format.format(it) }.toTypedArray()

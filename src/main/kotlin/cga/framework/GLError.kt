@@ -4,7 +4,10 @@ import org.lwjgl.opengl.GL33C.*
 
 /** Turns OpenGL's error flag into an exception that says what was being done. */
 public object GLError {
-    /** Throws [IllegalStateException] naming every pending error of the current context; [action] completes "while …". */
+    /**
+     * Throws [IllegalStateException] naming every pending error of the current context; [action] completes "while …".
+     * Running out of memory is the machine's limit and no mistake in the program: an [InputError].
+     */
     public fun check(action: String) {
         var code = glGetError()
         if (code == GL_NO_ERROR) return
@@ -13,6 +16,9 @@ public object GLError {
         while (code != GL_NO_ERROR && names.size < 8) {
             names += name(code)
             code = glGetError()
+        }
+        if (name(GL_OUT_OF_MEMORY) in names) {
+            throw InputError("OpenGL ran out of memory while $action: give a smaller size, or fewer samples.")
         }
         error("OpenGL reported ${names.joinToString()} while $action.")
     }

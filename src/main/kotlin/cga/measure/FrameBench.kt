@@ -1,6 +1,7 @@
 package cga.measure
 
 import cga.exercise.game.ScriptedScene
+import cga.exercise.game.Step
 import cga.framework.RenderTarget
 import cga.framework.context.ContextKind
 import cga.framework.context.OffscreenContext
@@ -19,16 +20,17 @@ public object FrameBench {
 
     private const val WARM_UP = 60
 
-    /** Renders [frames] frames of step 4.7 after a warm-up, as a window would: an update, then a picture. */
+    /** Renders [frames] frames of [step] after a warm-up, as a window would: an update, then a picture. */
     public fun measure(
         context: ContextKind?,
         frames: Int,
+        step: Step,
         width: Int,
         height: Int,
     ): Result =
         OffscreenContext.open(context).use {
             RenderTarget(width, height).use { target ->
-                val player = ScriptedScene(width, height)
+                val player = ScriptedScene(width, height, step)
                 repeat(WARM_UP) { frame -> draw(player, target, frame) }
                 val threads = ManagementFactory.getThreadMXBean() as ThreadMXBean
                 val times = DoubleArray(frames)

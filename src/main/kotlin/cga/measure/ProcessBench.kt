@@ -1,5 +1,6 @@
 package cga.measure
 
+import cga.exercise.game.Step
 import cga.framework.Home
 import cga.framework.InputError
 import java.nio.file.Files
@@ -16,6 +17,7 @@ public object ProcessBench {
     /** Runs `./cga render` [runs] times, after one run that is not counted. */
     public fun measure(
         runs: Int,
+        step: Step,
         width: Int,
         height: Int,
     ): Result {
@@ -23,7 +25,7 @@ public object ProcessBench {
         if (!Files.isExecutable(launcher)) throw InputError("the launcher $launcher is not there: start this through ./cga bench.")
         val picture = Files.createTempFile("cga-bench", ".png")
         try {
-            val command = listOf(launcher.toString(), "render", "--size", "${width}x$height", "--out", picture.toString())
+            val command = listOf(launcher.toString(), "render", "--step", step.sheet, "--size", "${width}x$height", "--out", picture.toString())
             run(command)
             val results = List(runs) { run(command) }
             return Result(Sample(results.map { it.first }), Sample(results.map { it.second }))

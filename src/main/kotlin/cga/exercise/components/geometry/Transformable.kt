@@ -11,6 +11,8 @@ import org.joml.Vector3f
  * Angles are in radians; pitch, yaw and roll turn about x, y and z, in that order. Getters return copies; those with a `dest` fill and
  * return it, and allocate nothing. World matrices are multiplied in double precision, so that a long chain of parents rounds once.
  *
+ * Not for use by several threads at once.
+ *
  * @param modelMatrix local space → the parent's space; copied.
  * @param parent whose space this lives in, or null for the world.
  */

@@ -1,0 +1,20 @@
+#!/bin/sh
+# Makes the pictures of README.md anew. Needs ImageMagick.
+set -eu
+cd "$(dirname "$0")"
+cga=../../cga
+"$cga" render --samples 4 --t 5.2 --mouse 500 --out motorcycle.png
+
+strip=$(mktemp -d)
+trap 'rm -rf "$strip"' EXIT
+for step in 4.1 4.2 4.3 4.3.4 4.4 4.5 4.6 4.7; do
+    mouse=0
+    if [ "$step" = 4.5 ]; then mouse=500; fi
+    "$cga" render --samples 4 --size 480x270 --step "$step" --mouse "$mouse" --out "$strip/$step.png"
+done
+montage -background '#111' -fill '#ddd' -pointsize 15 \
+    -label '4.1 emission' "$strip/4.1.png" -label '4.2 point light' "$strip/4.2.png" \
+    -label '4.3 spotlight' "$strip/4.3.png" -label '4.3.4 attenuation' "$strip/4.3.4.png" \
+    -label '4.4 colour' "$strip/4.4.png" -label '4.5 orbit' "$strip/4.5.png" \
+    -label '4.6 corner lights' "$strip/4.6.png" -label '4.7 Blinn-Phong' "$strip/4.7.png" \
+    -tile 4x2 -geometry +4+4 -strip steps.png

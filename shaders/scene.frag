@@ -82,6 +82,8 @@ float specularFactor(vec3 n, vec3 toLight, vec3 toCamera) {
 
 // The part of light of the given colour that the surface sends to the eye.
 vec3 reflected(vec3 n, vec3 toLight, vec3 toCamera, vec3 diffuse, vec3 specular, vec3 lightColor) {
+    // Where the interpolated normal is 0 no angle is defined; reflect() would answer the light's own direction.
+    if (n == vec3(0.0)) return vec3(0.0);
     return (diffuse * clampedCosine(n, toLight) + specular * specularFactor(n, toLight, toCamera)) * lightColor;
 }
 

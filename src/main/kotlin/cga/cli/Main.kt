@@ -29,7 +29,8 @@ private fun execute(
         0
     } catch (e: CliktError) {
         command.echoFormattedHelp(e)
-        if (e.statusCode == 0) 0 else EXIT_USER_ERROR
+        // Help that was asked for is no error; help instead of a command is.
+        if (e.statusCode == 0 && args.isNotEmpty()) 0 else EXIT_USER_ERROR
     } catch (e: InputError) {
         System.err.println("cga: ${e.message}")
         EXIT_USER_ERROR

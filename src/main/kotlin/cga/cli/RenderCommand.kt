@@ -70,9 +70,10 @@ internal class RenderCommand : CliktCommand("render") {
     private fun checkUsage() {
         requireUsage(time.let { it == null || (it.isFinite() && it >= 0) }) { "--t $time: the time must be finite and not negative" }
         requireUsage(mouse.isFinite()) { "--mouse $mouse: the way must be finite" }
-        requireUsage(gamma.isFinite() && gamma > 0) { "--gamma $gamma: gamma must be finite and greater than 0" }
+        requireUsage(gamma.isFinite() && gamma >= MIN_GAMMA) { "--gamma $gamma: gamma must be finite and at least $MIN_GAMMA" }
         requireUsage(frames in 1..MAX_FRAMES) { "--frames $frames: from 1 to $MAX_FRAMES" }
         requireUsage(fps.isFinite() && fps > 0) { "--fps $fps: must be finite and greater than 0" }
+        requireUsage((startTime() + (frames - 1) / fps).isFinite()) { "--fps $fps: the last frame's time would be infinite" }
         requireUsage(samples >= 0) { "--samples $samples: must not be negative" }
         if (mouse != 0.0 && !step.turnsWithMouse) echo("note: --mouse has no effect before step ${Step.ORBIT.sheet}", err = true)
     }
@@ -114,7 +115,7 @@ internal class RenderCommand : CliktCommand("render") {
         frame: Int,
         png: Path?,
     ) {
-        player.moveMouseTo(if (frames == 1) mouse else mouse * frame / (frames - 1))
+        player.moveMouseTo(if (frames == 1) mouse else mouse * (frame / (frames - 1.0)))
         player.advanceTo(startTime() + frame / fps)
         target.bind()
         player.scene.render()
@@ -144,5 +145,6 @@ internal class RenderCommand : CliktCommand("render") {
         /** A time at which the motorcycle has a saturated colour; at 0 it would be black. */
         const val PRETTY_TIME = 5.3
         private const val MAX_FRAMES = 9999
+        private const val MIN_GAMMA = 0.01f
     }
 }

@@ -21,7 +21,7 @@ public object AtomicFile {
         } catch (e: IOException) {
             throw InputError("cannot write $target (${e.javaClass.simpleName}: ${e.message}): is the disk full or the folder read-only?", e)
         } finally {
-            Files.deleteIfExists(temporary)
+            temporary.toFile().delete()
         }
     }
 
@@ -30,6 +30,9 @@ public object AtomicFile {
         val folder = target.toAbsolutePath().parent
         when {
             Files.isDirectory(target) -> throw InputError("cannot write $target: it is a folder. Name a file in it.")
+            // Renaming would put a plain file in the place of a device or a pipe.
+            Files.exists(target) && !Files.isRegularFile(target) ->
+                throw InputError("cannot write $target: it is not a regular file. Name another.")
             folder == null || !Files.isDirectory(folder) ->
                 throw InputError("cannot write $target: the folder $folder does not exist. Create it, or name another.")
             !Files.isWritable(folder) -> throw InputError("cannot write $target: the folder $folder is read-only. Name another.")

@@ -35,6 +35,9 @@ public abstract class GameWindow(
     private var window = NULL
     private var updates = 0L
     private val mouse = MousePosition(0.0, 0.0)
+    private var mouseOriginX = 0.0
+    private var mouseOriginY = 0.0
+    private var cursorEntered = false
 
     final override var framebufferWidth: Int = width
         private set
@@ -116,6 +119,7 @@ public abstract class GameWindow(
     public fun run() {
         open()
         try {
+            checkSamples()
             start()
             try {
                 loop()
@@ -128,6 +132,8 @@ public abstract class GameWindow(
     }
 
     private fun open() {
+        // Before the window is made: GLFW draws into it at once, and X11 ends the program when it is beyond what the driver can.
+        if (maxOf(width, height) > MAX_SIDE) throw InputError("size ${width}x$height is too large for a window: at most $MAX_SIDE a side.")
         Glfw.start(GLFW_ANY_PLATFORM)?.let {
             throw InputError("no window can be opened here ($it): start it in a desktop session, or use render.")
         }
@@ -145,18 +151,36 @@ public abstract class GameWindow(
         listen()
     }
 
+    // GLFW takes the number of samples as a wish and says nothing when the driver has fewer.
+    private fun checkSamples() {
+        val limit = glGetInteger(GL_MAX_SAMPLES)
+        if (msaasamples !in 0..limit) throw InputError("$msaasamples samples a pixel cannot be shown: this driver has 0 to $limit.")
+    }
+
     private fun listen() {
         glfwSetKeyCallback(window) { _, key, scancode, action, mode -> onKey(key, scancode, action, mode) }
-        glfwSetCursorPosCallback(window) { _, xpos, ypos ->
-            mouse.xpos = xpos
-            mouse.ypos = ypos
-            onMouseMove(xpos, ypos)
-        }
+        glfwSetCursorEnterCallback(window) { _, inside -> cursorEntered = inside }
+        glfwSetCursorPosCallback(window) { _, xpos, ypos -> moveMouse(xpos, ypos) }
         glfwSetFramebufferSizeCallback(window) { _, w, h -> resize(w, h) }
         val w = IntArray(1)
         val h = IntArray(1)
         glfwGetFramebufferSize(window, w, h)
         resize(w[0], h[0])
+    }
+
+    // When a window gets its focus back, GLFW puts the hidden cursor into its middle and tells so: that is no movement.
+    private fun moveMouse(
+        xpos: Double,
+        ypos: Double,
+    ) {
+        if (cursorEntered && glfwGetInputMode(window, GLFW_CURSOR) == GLFW_CURSOR_DISABLED) {
+            mouseOriginX = mouse.xpos - xpos
+            mouseOriginY = mouse.ypos - ypos
+        }
+        cursorEntered = false
+        mouse.xpos = mouseOriginX + xpos
+        mouse.ypos = mouseOriginY + ypos
+        onMouseMove(mouse.xpos, mouse.ypos)
     }
 
     // A minimised window has the size 0: keep the last one, nothing is shown anyway.
@@ -199,5 +223,6 @@ public abstract class GameWindow(
 
     private companion object {
         const val MAX_CATCH_UP = 0.25
+        const val MAX_SIDE = 16384
     }
 }

@@ -27,23 +27,24 @@ public class DriveScript private constructor(private val parts: List<Part>) {
         /** Hands off. */
         public val NONE: DriveScript = DriveScript(emptyList())
 
-        private val PART = Regex("""([WASD]*)\s*(\d+(?:\.\d+)?)""", RegexOption.IGNORE_CASE)
+        private const val MAX_SECONDS = 3600.0
+        private val PART = Regex("""([WASD]*)\s*(\d{1,9}(?:\.\d+)?)""", RegexOption.IGNORE_CASE)
         private val KEYS = mapOf('W' to GLFW_KEY_W, 'A' to GLFW_KEY_A, 'S' to GLFW_KEY_S, 'D' to GLFW_KEY_D)
 
-        /** Reads a script as described above. Throws [InputError] naming the part that is not understood. */
+        /** Reads a script as described above, an hour at most. Throws [InputError] naming the part that is not understood. */
         public fun parse(text: String): DriveScript {
             var end = 0.0
-            return DriveScript(
+            val parts =
                 text.split(',').map { part ->
-                    val (letters, seconds) =
-                        PART.matchEntire(part.trim())?.destructured
-                            ?: throw InputError(
-                                "drive script: cannot read \"${part.trim()}\". Write keys and seconds, as in \"W 2, WA 0.5\".",
-                            )
+                    val (letters, seconds) = PART.matchEntire(part.trim())?.destructured ?: throw notUnderstood(part)
                     end += seconds.toDouble()
                     Part(letters.uppercase().map(KEYS::getValue).toSet(), end)
-                },
-            )
+                }
+            if (end > MAX_SECONDS) throw InputError("drive script: $end seconds are too long, $MAX_SECONDS are the most.")
+            return DriveScript(parts)
         }
+
+        private fun notUnderstood(part: String) =
+            InputError("drive script: cannot read \"${part.trim()}\". Write keys and seconds, as in \"W 2, WA 0.5\".")
     }
 }

@@ -57,10 +57,10 @@ public class Scene(
             field = Vector3f(value)
         }
 
-    /** 1 for none, as the sheet wants it; 2.2 encodes the colours for the usual screen. Finite and > 0. */
+    /** 1 for none, as the sheet wants it; 2.2 encodes the colours for the usual screen. Finite, and so is 1/gamma. */
     public var gamma: Float = 1f
         set(value) {
-            require(value.isFinite() && value > 0f) { "gamma $value must be finite and greater than 0" }
+            require(value > 0f && value.isFinite() && (1f / value).isFinite()) { "gamma $value and 1/gamma must be finite and positive" }
             field = value
         }
 

@@ -95,7 +95,7 @@ public object ModelFile {
             diffuse = color(material, AI_MATKEY_COLOR_DIFFUSE),
             specular = color(material, AI_MATKEY_COLOR_SPECULAR),
             emissive = color(material, AI_MATKEY_COLOR_EMISSIVE),
-            shininess = shininess(material),
+            shininess = shininess(material, file),
             diffuseMap = map(material, aiTextureType_DIFFUSE, file),
             specularMap = map(material, aiTextureType_SPECULAR, file),
             emissiveMap = map(material, aiTextureType_EMISSIVE, file),
@@ -111,10 +111,14 @@ public object ModelFile {
             Vector3f(color.r(), color.g(), color.b())
         }
 
-    private fun shininess(material: AIMaterial): Float =
+    private fun shininess(
+        material: AIMaterial,
+        file: Path,
+    ): Float =
         MemoryStack.stackPush().use { stack ->
             val value = stack.callocFloat(1)
             aiGetMaterialFloatArray(material, AI_MATKEY_SHININESS, aiTextureType_NONE, 0, value, stack.ints(1))
+            if (!(value[0] >= 0f && value[0].isFinite())) throw broken(file, "a material has the shininess Ns ${value[0]}")
             value[0]
         }
 
@@ -126,7 +130,7 @@ public object ModelFile {
     ): String? {
         val none: IntBuffer? = null
         val name = string { aiGetMaterialTexture(material, type, 0, it, none, none, null, none, none, none) } ?: return null
-        return file.resolveSibling(name.replace('\\', '/')).toAbsolutePath().toString()
+        return ObjCheck.beside(file, name).toAbsolutePath().toString()
     }
 
     private fun string(query: (AIString) -> Int): String? =

@@ -2,6 +2,7 @@ package cga.framework.model
 
 import cga.framework.Home
 import cga.framework.InputError
+import java.nio.file.InvalidPathException
 import java.nio.file.Path
 
 /**
@@ -11,11 +12,11 @@ import java.nio.file.Path
  */
 internal object ObjCheck {
     fun check(obj: Path) {
-        val lines = String(Home.read(obj, "model"), Charsets.ISO_8859_1).lineSequence().map { it.trim() }
+        val lines = String(Home.read(obj, "model")).lineSequence().map { it.trim() }
         val libraries = mutableListOf<Path>()
         val used = linkedSetOf<String>()
         for (line in lines) {
-            if (line.startsWith("mtllib ")) libraries.add(obj.resolveSibling(line.substringAfter(" ").trim()))
+            if (line.startsWith("mtllib ")) libraries.add(beside(obj, line.substringAfter(' ').trim()))
             if (line.startsWith("usemtl ")) used += line.substringAfter(' ').trim()
         }
         val defined = libraries.flatMap(::materials).toSet()
@@ -26,9 +27,20 @@ internal object ObjCheck {
         }
     }
 
+    /** The file called [name] in the folder of the model [file], which may have been written on Windows. */
+    fun beside(
+        file: Path,
+        name: String,
+    ): Path =
+        try {
+            file.resolveSibling(name.replace('\\', '/'))
+        } catch (e: InvalidPathException) {
+            throw InputError("model file $file names a file that cannot be (${e.reason}): export it again as OBJ.", e)
+        }
+
     private fun materials(library: Path): List<String> {
         val names =
-            String(Home.read(library, "material"), Charsets.ISO_8859_1)
+            String(Home.read(library, "material"))
                 .lines()
                 .map { it.trim() }
                 .filter { it.startsWith("newmtl ") }

@@ -1,0 +1,124 @@
+package cga.exercise.game
+
+import cga.build.projectRoot
+import cga.framework.image.ImageData
+import cga.testing.Xvfb
+import java.io.File
+import java.nio.file.Path
+import java.util.concurrent.TimeUnit.SECONDS
+import kotlin.io.path.Path
+import kotlin.io.path.exists
+
+/**
+ * `cga run` in a process of its own on a virtual display, with nobody but a test at mouse and keyboard.
+ *
+ * @param directory where it runs and leaves its screenshots.
+ * @param home the folder of its shaders and assets.
+ */
+class RunningGame(
+    private val display: Xvfb,
+    private val directory: Path,
+    options: String,
+    home: Path = projectRoot.toPath(),
+) : AutoCloseable {
+    private val outFile = directory.resolve("out.txt").toFile()
+    private val errFile = directory.resolve("err.txt").toFile()
+    private val process = start(options, home)
+    private var screenshots = 0
+
+    // The program names the step in its title when it is ready for input; until then keys are lost.
+    private val window = await("the window") { display.xdotool("search --name ^CGA.Lights.*4").ifEmpty { null } }
+
+    val out: String get() = outFile.readText()
+    val err: String get() = errFile.readText()
+    val title: String get() = display.xdotool("getwindowname $window")
+
+    fun press(key: String) {
+        display.xdotool("key $key")
+    }
+
+    /** Runs [block] while [key] is held down. */
+    fun <T> holding(
+        key: String,
+        block: () -> T,
+    ): T {
+        display.xdotool("keydown $key")
+        return try {
+            block()
+        } finally {
+            display.xdotool("keyup $key")
+        }
+    }
+
+    /** Moves the mouse [dx] pixels to the right, less than half the window: there the captured cursor meets its edge. */
+    fun moveMouse(dx: Int) {
+        display.xdotool("mousemove_relative -- $dx 0")
+    }
+
+    fun resize(
+        width: Int,
+        height: Int,
+    ) {
+        display.xdotool("windowsize $window $width $height")
+    }
+
+    /** Another program takes the keyboard, and gives it back. */
+    fun loseFocusAndRegainIt() {
+        display.xdotool("windowfocus ${display.xdotool("search --maxdepth 0 .*")}")
+        screenshotWithoutFocus()
+        display.xdotool("windowfocus $window")
+    }
+
+    private fun screenshotWithoutFocus() {}
+
+    /** F12's picture. Input comes in order, so it shows what everything before has done. */
+    fun screenshot(): ImageData {
+        val file = directory.resolve("screenshot-%03d.png".format(++screenshots))
+        press("F12")
+        await(file.toString()) { file.takeIf { it.exists() } }
+        return ImageData.read(file.toAbsolutePath().toString())
+    }
+
+    /** The first answer of [attempt] that is not null; an [AssertionError] if none comes or the program ends before. */
+    fun <T : Any> await(
+        what: String,
+        attempt: () -> T?,
+    ): T {
+        val deadline = System.nanoTime() + SECONDS.toNanos(LIMIT_SECONDS)
+        while (System.nanoTime() < deadline && process.isAlive) {
+            attempt()?.let { return it }
+            Thread.sleep(20)
+        }
+        throw AssertionError("$what did not come within $LIMIT_SECONDS s, ${state()}")
+    }
+
+    /** Waits for the program's own end. */
+    fun exitCode(): Int {
+        if (!process.waitFor(LIMIT_SECONDS, SECONDS)) throw AssertionError("the program did not end, ${state()}")
+        return process.exitValue()
+    }
+
+    override fun close() {
+        process.destroyForcibly().waitFor()
+    }
+
+    private fun state() = "running: ${process.isAlive}\nstdout: $out\nstderr: $err"
+
+    private fun start(
+        options: String,
+        home: Path,
+    ): Process {
+        val java = Path(System.getProperty("java.home"), "bin", "java").toString()
+        val classPath = System.getProperty("java.class.path").split(File.pathSeparator).joinToString(File.pathSeparator) { File(it).absolutePath }
+        val command = listOf(java, "-Djava.awt.headless=true", "-Dcga.home=$home", "-cp", classPath, "cga.cli.MainKt", "run")
+        val builder = ProcessBuilder(command + options.split(' ')).directory(directory.toFile()).redirectOutput(outFile).redirectError(errFile)
+        // A desktop that the tests are started in shall not get the window.
+        builder.environment() += mapOf("DISPLAY" to display.display, "XDG_SESSION_TYPE" to "x11", "LIBGL_ALWAYS_SOFTWARE" to "1")
+        builder.environment() -= "WAYLAND_DISPLAY"
+        return builder.start()
+    }
+
+    private companion object {
+        const val LIMIT_SECONDS = 30L
+    }
+}

@@ -1,0 +1,88 @@
+#!/bin/sh
+# When ./cga builds, and with what.
+. "$(dirname "$0")/sandbox.sh"
+
+cga render
+check 'the first use builds with Maven' called 'mvn .*package'
+check 'and says so, and why' said 'building with Maven (first use)'
+check 'then it starts the program' called java
+
+cga render
+check 'the second start calls no build tool' not called mvn
+check 'and says nothing' [ ! -s "$sandbox/err" ]
+
+touch -t 203001010000 "$checkout/src/main/kotlin/Main.kt"
+cga render
+check 'a touch is no change' not called mvn
+
+echo '// changed' >>"$checkout/src/main/kotlin/Main.kt"
+cga render
+check 'a changed source rebuilds' called mvn
+check 'and says why' said 'building with Maven (sources changed)'
+
+echo 'val x = 1' >"$checkout/src/main/kotlin/Added.kt"
+cga render
+check 'an added source rebuilds' called mvn
+
+mv "$checkout/src/main/kotlin/Added.kt" "$checkout/src/main/kotlin/Renamed.kt"
+cga render
+check 'a renamed source rebuilds' called mvn
+
+rm "$checkout/src/main/kotlin/Renamed.kt"
+cga render
+check 'a deleted source rebuilds' called mvn
+
+for file in pom.xml build.gradle.kts; do
+    echo '<!-- changed -->' >>"$checkout/$file"
+    cga render
+    check "a changed $file rebuilds" called mvn
+done
+
+touch "$checkout/src/main/kotlin/.Main.kt.swp" "$checkout/src/main/kotlin/Main.kt~"
+cga render
+check 'what an editor leaves beside a source does not rebuild' not called mvn
+
+rm -r "$checkout/build/cga/lib"
+cga render
+check 'jars that are gone are built again' called mvn
+
+touch "$checkout/build/cga/lib/old-version.jar"
+echo '<!-- another version -->' >>"$checkout/pom.xml"
+cga render
+check 'no jar of an earlier build stays' [ ! -e "$checkout/build/cga/lib/old-version.jar" ]
+
+stub gradle <<'END'
+[ "$1" = --version ] && echo 'Gradle 4.4.1' && exit
+END
+echo '// changed' >>"$checkout/build.gradle.kts"
+cga render
+check 'a gradle that is too old is left aside' said 'building with Maven'
+
+stub gradle <<'END'
+[ "$1" = --version ] && echo 'Gradle 8.7' && exit
+mkdir -p build/cga/lib
+END
+echo '// changed' >>"$checkout/build.gradle.kts"
+cga render
+check 'Gradle is preferred where it is at hand' called 'gradle .*installCga'
+check 'and said' said 'building with Gradle (sources changed)'
+check 'Maven is not called as well' not called mvn
+
+mkdir -p "$checkout/gradle/wrapper"
+printf '%s\n' 'distributionUrl=https\://example.org/gradle-9.9-bin.zip' >"$checkout/gradle/wrapper/gradle-wrapper.properties"
+sed "s/^echo \"gradle /echo \"gradlew /" "$sandbox/bin/gradle" >"$checkout/gradlew"
+chmod +x "$checkout/gradlew"
+echo '// changed' >>"$checkout/build.gradle.kts"
+cga render
+check 'a wrapper that would have to download first is left aside' not called gradlew
+
+mkdir -p "$sandbox/home/.gradle/wrapper/dists/gradle-9.9-bin/hash"
+touch "$sandbox/home/.gradle/wrapper/dists/gradle-9.9-bin/hash/gradle-9.9-bin.zip.ok"
+echo '// changed' >>"$checkout/build.gradle.kts"
+cga render
+check 'a wrapper whose Gradle is there already is taken' called 'gradlew .*installCga'
+
+rm -r "$sandbox/bin/gradle" "$sandbox/bin/mvn" "$sandbox/home/.gradle" "$checkout/build"
+cga render
+check 'without Gradle and Maven it ends with 2' ended 2
+check 'and says what to type' said 'type: sudo apt-get install -y --no-install-recommends maven'

@@ -68,6 +68,13 @@ check 'Gradle is preferred where it is at hand' called 'gradle .*installCga'
 check 'and said' said 'building with Gradle (sources changed)'
 check 'Maven is not called as well' not called mvn
 
+jdk "$sandbox/jdk-25" 25.0.3
+environment="JAVA_HOME=$sandbox/jdk-25"
+echo '// changed' >>"$checkout/build.gradle.kts"
+cga render
+check 'but not for a JDK that it does not know yet' said 'building with Maven'
+environment=
+
 mkdir -p "$checkout/gradle/wrapper"
 printf '%s\n' 'distributionUrl=https\://example.org/gradle-9.9-bin.zip' >"$checkout/gradle/wrapper/gradle-wrapper.properties"
 sed "s/^echo \"gradle /echo \"gradlew /" "$sandbox/bin/gradle" >"$checkout/gradlew"

@@ -4,6 +4,7 @@ import cga.build.projectRoot
 import cga.framework.image.ImageData
 import cga.testing.Xvfb
 import java.io.File
+import java.io.File.pathSeparator
 import java.nio.file.Path
 import java.util.concurrent.TimeUnit.SECONDS
 import kotlin.io.path.Path
@@ -55,21 +56,20 @@ class RunningGame(
         display.xdotool("mousemove_relative -- $dx 0")
     }
 
-    fun resize(
-        width: Int,
-        height: Int,
-    ) {
-        display.xdotool("windowsize $window $width $height")
+    fun resize(size: Pair<Int, Int>) {
+        display.xdotool("windowsize $window ${size.first} ${size.second}")
     }
 
-    /** Another program takes the keyboard, and gives it back. */
+    /** Takes the keyboard away, moves the mouse out of the window, and gives the keyboard back. */
     fun loseFocusAndRegainIt() {
         display.xdotool("windowfocus ${display.xdotool("search --maxdepth 0 .*")}")
-        screenshotWithoutFocus()
+        // As long as the window has not noticed, it holds the cursor inside.
+        await("the cursor outside of the window") {
+            display.xdotool("mousemove 1200 700")
+            display.xdotool("getmouselocation").takeIf { it.startsWith("x:1200 y:700") }
+        }
         display.xdotool("windowfocus $window")
     }
-
-    private fun screenshotWithoutFocus() {}
 
     /** F12's picture. Input comes in order, so it shows what everything before has done. */
     fun screenshot(): ImageData {
@@ -109,9 +109,11 @@ class RunningGame(
         home: Path,
     ): Process {
         val java = Path(System.getProperty("java.home"), "bin", "java").toString()
-        val classPath = System.getProperty("java.class.path").split(File.pathSeparator).joinToString(File.pathSeparator) { File(it).absolutePath }
-        val command = listOf(java, "-Djava.awt.headless=true", "-Dcga.home=$home", "-cp", classPath, "cga.cli.MainKt", "run")
-        val builder = ProcessBuilder(command + options.split(' ')).directory(directory.toFile()).redirectOutput(outFile).redirectError(errFile)
+        val classPath = System.getProperty("java.class.path").split(pathSeparator).joinToString(pathSeparator) { File(it).absolutePath }
+        // Compiled as in CgaProcess.
+        val settings = listOf("-XX:TieredStopAtLevel=1", "-XX:+UseSerialGC", "-Djava.awt.headless=true", "-Dcga.home=$home")
+        val command = listOf(java) + settings + listOf("-cp", classPath, "cga.cli.MainKt", "run") + options.split(' ')
+        val builder = ProcessBuilder(command).directory(directory.toFile()).redirectOutput(outFile).redirectError(errFile)
         // A desktop that the tests are started in shall not get the window.
         builder.environment() += mapOf("DISPLAY" to display.display, "XDG_SESSION_TYPE" to "x11", "LIBGL_ALWAYS_SOFTWARE" to "1")
         builder.environment() -= "WAYLAND_DISPLAY"

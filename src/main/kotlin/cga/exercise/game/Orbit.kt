@@ -1,5 +1,6 @@
 package cga.exercise.game
 
+import org.joml.Matrix4d
 import org.joml.Matrix4f
 
 /**
@@ -12,6 +13,7 @@ internal class Orbit {
     /** Radians about y, in (−2π, 2π). */
     var angle: Double = 0.0
         private set
+    private val matrix = Matrix4d()
     private var lastX = Double.NaN
 
     /** The mouse is at [xpos] (pixels). The first position only says where it starts; [turning] = false moves it without effect. */
@@ -19,6 +21,7 @@ internal class Orbit {
         xpos: Double,
         turning: Boolean,
     ) {
+        if (!xpos.isFinite()) return
         if (turning && !lastX.isNaN()) angle = (angle + RADIANS_PER_PIXEL * (xpos - lastX)) % (2 * Math.PI)
         lastX = xpos
     }
@@ -28,14 +31,16 @@ internal class Orbit {
         turned: Boolean,
         dest: Matrix4f,
     ): Matrix4f =
-        dest
-            .rotationY(if (turned) angle.toFloat() else 0f)
-            .rotateX(PITCH)
-            .translate(0f, 0f, DISTANCE)
+        dest.set(
+            matrix
+                .rotationY(if (turned) angle else 0.0)
+                .rotateX(PITCH)
+                .translate(0.0, 0.0, DISTANCE),
+        )
 
     private companion object {
         const val RADIANS_PER_PIXEL = 0.002
-        const val DISTANCE = 4f
-        val PITCH = Math.toRadians(-35.0).toFloat()
+        const val DISTANCE = 4.0
+        val PITCH = Math.toRadians(-35.0)
     }
 }

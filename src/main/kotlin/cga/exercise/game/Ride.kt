@@ -1,6 +1,7 @@
 package cga.exercise.game
 
 import cga.framework.WindowState
+import org.joml.Matrix4d
 import org.joml.Matrix4f
 import org.lwjgl.glfw.GLFW.*
 import kotlin.math.cos
@@ -23,6 +24,8 @@ internal class Ride {
     var heading: Double = 0.0
         private set
 
+    private val matrix = Matrix4d()
+
     /** Drives for [dt] seconds with the keys that [window] reports. */
     fun update(
         window: WindowState,
@@ -37,10 +40,12 @@ internal class Ride {
 
     /** The motorcycle's model matrix, into [dest]. */
     fun place(dest: Matrix4f): Matrix4f =
-        dest
-            .translation(x.toFloat(), 0f, z.toFloat())
-            .rotateY(heading.toFloat())
-            .scale(SCALE)
+        dest.set(
+            matrix
+                .translation(x, 0.0, z)
+                .rotateY(heading)
+                .scale(SCALE),
+        )
 
     private fun WindowState.axis(
         positive: Int,
@@ -50,6 +55,6 @@ internal class Ride {
     private companion object {
         const val SPEED = 4.0
         const val TURN_SPEED = 1.5
-        const val SCALE = 0.8f
+        const val SCALE = 0.8
     }
 }

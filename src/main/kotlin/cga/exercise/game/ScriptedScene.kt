@@ -26,7 +26,7 @@ public class ScriptedScene(
         scene.onMouseMove(0.0, 0.0)
     }
 
-    override fun getKeyState(key: Int): Boolean = drive.isDown(key, updates * UPDATE_STEP)
+    override fun getKeyState(key: Int): Boolean = drive.isDown(key, (updates + 0.5) * UPDATE_STEP)
 
     /** Brings the scene to time [t] (seconds, not before the last one) as a window would, by updates 1/120 s apart. */
     public fun advanceTo(t: Double) {

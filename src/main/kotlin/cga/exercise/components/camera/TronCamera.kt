@@ -9,9 +9,10 @@ import org.joml.Vector3d
 /**
  * A perspective camera that looks along its own −z axis.
  *
- * @param fieldOfView vertical, radians.
- * @param aspect width / height of the picture.
- * @param near distance of the near plane, > 0; [far] that of the far plane.
+ * @param fieldOfView vertical, radians, in (0, π).
+ * @param aspect width / height of the picture, > 0.
+ * @param near distance of the near plane, > 0; [far] that of the far plane, > near.
+ * Other values are an [IllegalArgumentException] when the projection is asked for.
  */
 public class TronCamera(
     public var fieldOfView: Float = Math.toRadians(90.0).toFloat(),
@@ -49,7 +50,12 @@ public class TronCamera(
     }
 
     /** View space → clip space, into [dest]. */
-    public fun calculateProjectionMatrix(dest: Matrix4f): Matrix4f = dest.setPerspective(fieldOfView, aspect, near, far)
+    public fun calculateProjectionMatrix(dest: Matrix4f): Matrix4f {
+        require(fieldOfView > 0f && fieldOfView < Math.PI && aspect > 0f && aspect.isFinite() && near > 0f && far > near && far.isFinite()) {
+            "field of view $fieldOfView rad, aspect $aspect, near $near, far $far: must satisfy 0 < fov < π, 0 < aspect, 0 < near < far"
+        }
+        return dest.setPerspective(fieldOfView, aspect, near, far)
+    }
 
     /** Sends the projection to the program in use; the view reaches it multiplied with each model's matrix. */
     public fun bind(shaderProgram: ShaderProgram) {

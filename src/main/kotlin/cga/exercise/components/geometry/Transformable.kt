@@ -3,13 +3,17 @@ package cga.exercise.components.geometry
 import org.joml.Matrix4d
 import org.joml.Matrix4f
 import org.joml.Matrix4fc
+import org.joml.Vector3d
 import org.joml.Vector3f
+import org.joml.Vector3fc
 
 /**
  * Something that has a place: a model matrix relative to a parent, or to the world when it has none.
  *
  * Angles are in radians; pitch, yaw and roll turn about x, y and z, in that order. Getters return copies; those with a `dest` fill and
- * return it, and allocate nothing. World matrices are multiplied in double precision, so that a long chain of parents rounds once.
+ * return it, and allocate nothing. Matrices are multiplied in double precision and rounded once: JOML's float rotations are off by up
+ * to 2e-4 near right angles, and a long chain of parents would round at every link. Numbers that are not finite are an
+ * [IllegalArgumentException].
  *
  * Not for use by several threads at once.
  *
@@ -20,7 +24,7 @@ public open class Transformable(
     modelMatrix: Matrix4fc = Matrix4f(),
     parent: Transformable? = null,
 ) {
-    private val modelMatrix = Matrix4f(modelMatrix)
+    private val modelMatrix = Matrix4f(checked(modelMatrix))
     private val scratch = Matrix4d()
 
     /** Whose space this lives in. Throws [IllegalArgumentException] when that would make this its own ancestor. */
@@ -38,7 +42,8 @@ public open class Transformable(
         yaw: Float,
         roll: Float,
     ) {
-        modelMatrix.rotateXYZ(pitch, yaw, roll)
+        requireFinite(pitch, yaw, roll)
+        modelMatrix.set(scratch.set(modelMatrix).rotateXYZ(pitch.toDouble(), yaw.toDouble(), roll.toDouble()))
     }
 
     /** Turns about axes parallel to the parent's, through [altMidpoint] in the parent's space. */
@@ -48,32 +53,37 @@ public open class Transformable(
         roll: Float,
         altMidpoint: Vector3f,
     ) {
+        requireFinite(pitch, yaw, roll)
+        requireFinite(altMidpoint)
         val turn =
-            Matrix4f()
+            Matrix4d()
                 .translate(altMidpoint)
-                .rotateXYZ(pitch, yaw, roll)
-                .translate(-altMidpoint.x, -altMidpoint.y, -altMidpoint.z)
-        turn.mul(modelMatrix, modelMatrix)
+                .rotateXYZ(pitch.toDouble(), yaw.toDouble(), roll.toDouble())
+                .translate(Vector3d(altMidpoint).negate())
+        modelMatrix.set(turn.mul(scratch.set(modelMatrix)))
     }
 
     /** Moves along the object's own axes, in its own (scaled) units. */
     public fun translateLocal(deltaPos: Vector3f) {
+        requireFinite(deltaPos)
         modelMatrix.translate(deltaPos)
     }
 
     /** Moves along the parent's axes, in the parent's units. */
     public fun translateGlobal(deltaPos: Vector3f) {
+        requireFinite(deltaPos)
         modelMatrix.translateLocal(deltaPos)
     }
 
     /** Scales along the object's own axes, about its origin. */
     public fun scaleLocal(scale: Vector3f) {
+        requireFinite(scale)
         modelMatrix.scale(scale)
     }
 
     /** Replaces the local matrix: for objects that keep their place as numbers and rebuild it, so that errors do not pile up. */
     public fun setLocalModelMatrix(matrix: Matrix4fc) {
-        modelMatrix.set(matrix)
+        modelMatrix.set(checked(matrix))
     }
 
     /** Position in the parent's space. */
@@ -118,4 +128,23 @@ public open class Transformable(
     public fun getLocalModelMatrix(): Matrix4f = Matrix4f(modelMatrix)
 
     private fun Matrix4f.axis(column: Int): Vector3f = getColumn(column, Vector3f()).normalize()
+
+    private companion object {
+        fun checked(matrix: Matrix4fc): Matrix4fc {
+            require(matrix.isFinite) { "model matrix must be finite:\n$matrix" }
+            return matrix
+        }
+
+        fun requireFinite(vector: Vector3fc) {
+            require(vector.isFinite) { "$vector must be finite" }
+        }
+
+        fun requireFinite(
+            pitch: Float,
+            yaw: Float,
+            roll: Float,
+        ) {
+            require(pitch.isFinite() && yaw.isFinite() && roll.isFinite()) { "pitch $pitch, yaw $yaw, roll $roll must be finite" }
+        }
+    }
 }

@@ -49,7 +49,7 @@ internal object ShaderCompiler {
     }
 
     // Mesa "0:12(5): error: …", NVIDIA "0(12) : error …", AMD, Intel and Apple "ERROR: 0:12: …".
-    private val LOCATION = Regex("""^(?:ERROR:\s*)?\d+[:(](\d+)\)?(?:\((\d+)\))?\s*:\s*(.*)$""")
+    private val LOCATION = Regex("""^(?:(?:ERROR|WARNING):\s*)?\d+[:(](\d+)\)?(?:\((\d+)\))?\s*:\s*(.*)$""")
 
     /** The driver's [log] about the shader [path] as `path:line: message`, each with its source line below. */
     fun explain(

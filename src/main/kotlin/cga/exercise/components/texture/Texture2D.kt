@@ -29,7 +29,10 @@ public class Texture2D(
     public var magFilter: Int = GL_LINEAR
         private set
 
-    /** Sets how the texture repeats and how it is filtered; a mipmapped [minFilter] without mipmaps is an [IllegalArgumentException]. */
+    /**
+     * Sets how the texture repeats and how it is filtered, OpenGL's constants. A mipmapped [minFilter] without mipmaps, or a mipmapped
+     * [magFilter], is an [IllegalArgumentException].
+     */
     public fun setTexParams(
         wrapS: Int,
         wrapT: Int,
@@ -38,6 +41,9 @@ public class Texture2D(
     ) {
         require(genMipMaps || minFilter == GL_NEAREST || minFilter == GL_LINEAR) {
             "minFilter 0x%X samples mipmaps and this texture has none: it would be black".format(minFilter)
+        }
+        require(magFilter == GL_NEAREST || magFilter == GL_LINEAR) {
+            "magFilter 0x%X: magnification knows GL_NEAREST and GL_LINEAR only".format(magFilter)
         }
         this.wrapS = wrapS
         this.wrapT = wrapT

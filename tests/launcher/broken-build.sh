@@ -8,6 +8,7 @@ cga render
 stub mvn <<'END'
 mkdir -p build/cga/lib
 echo '[ERROR] Main.kt: (1, 5) Unresolved reference: mian'
+echo '[ERROR] Main.kt: (1, 5) Unresolved reference: mian'
 echo '[ERROR] [Help 1] a page about nothing'
 exit 1
 END
@@ -15,6 +16,7 @@ echo 'fun mian' >"$checkout/src/main/kotlin/Main.kt"
 cga render
 check 'a failing build ends with 2' ended 2
 check 'it shows the error' said '(1, 5) Unresolved reference: mian'
+check 'once' [ "$(grep -c Unresolved "$sandbox/err")" = 1 ]
 check 'without the tool talking about itself' not said 'Help 1'
 check 'it names the log' said "$checkout/build/cga/build.log"
 check 'the program is not started' not called java

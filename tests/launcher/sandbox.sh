@@ -14,7 +14,7 @@ cp "$root/cga" "$checkout/cga"
 echo 'fun main() = Unit' >"$checkout/src/main/kotlin/Main.kt"
 touch "$checkout/pom.xml" "$checkout/build.gradle.kts" "$calls"
 
-for tool in sh cat chmod cksum cp date dirname env find grep head ln mkdir mv readlink rm sed sleep sort tail touch tr uname; do
+for tool in sh awk cat chmod cksum cp date dirname env find grep head ln mkdir mv readlink rm sed sleep sort tail touch tr uname; do
     ln -s "$(command -v $tool)" "$sandbox/bin/$tool"
 done
 

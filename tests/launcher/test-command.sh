@@ -35,6 +35,11 @@ echo 0 >"$sandbox/uid"
 cga test
 check 'root installs it' called 'apt-get install -y --no-install-recommends xvfb g++ libglm-dev$'
 
+echo libosmesa6 >"$sandbox/home/unknown-packages"
+printf '%s\n' libegl1 libgl1-mesa-dri libgl1 xvfb xdotool g++ libglm-dev shellcheck >"$sandbox/home/installed-packages"
+cga test
+check 'a Debian that has dropped OSMesa is not asked for it' not called 'apt-get install'
+
 stub gradle <<'END'
 [ "$1" = --version ] && echo 'Gradle 9.3.1'
 END

@@ -54,7 +54,7 @@ class CgaProcess private constructor(
         ): CgaProcess {
             val out = logs.resolve("out")
             val err = logs.resolve("err")
-            val builder = ProcessBuilder(command).directory(directory.toFile()).redirectOutput(out).redirectError(err)
+            val builder = ProcessBuilder(command).directory(directory.toAbsolutePath().toFile()).redirectOutput(out).redirectError(err)
             for ((name, value) in env) if (value == null) builder.environment() -= name else builder.environment()[name] = value
             val process = builder.start()
             process.outputStream.close()

@@ -22,14 +22,18 @@ class Xvfb : AutoCloseable {
             .redirectError(DISCARD)
             .start()
 
-    /** What a client finds in its variable DISPLAY. */
-    val display: String = ":" + (server.inputReader().readLine() ?: error("Xvfb ended with exit code ${server.waitFor()}"))
+    /** Variables that lead a program's window here, away from a Wayland desktop that the tests may be started in. */
+    val variables: Map<String, String> =
+        mapOf(
+            "DISPLAY" to ":" + (server.inputReader().readLine() ?: error("Xvfb ended with exit code ${server.waitFor()}")),
+            "XDG_SESSION_TYPE" to "x11",
+        )
 
     /** Calls xdotool with the words of [command] and returns what it says; a failure of its own is an empty answer. */
     fun xdotool(command: String): String {
         val process =
             ProcessBuilder(listOf("xdotool") + command.split(' '))
-                .apply { environment()["DISPLAY"] = display }
+                .apply { environment() += variables }
                 .redirectError(DISCARD)
                 .start()
         val answer = process.inputStream.readAllBytes().decodeToString()

@@ -36,7 +36,8 @@ internal class BenchCommand : CliktCommand("bench") {
                 }
             },
         )
-        echo("${size.width}x${size.height}, step ${step.sheet}, ${frame.renderer}, ${Runtime.getRuntime().availableProcessors()} processors")
+        val processors = Runtime.getRuntime().availableProcessors()
+        echo("${size.width}x${size.height}, step ${step.sheet}, ${frame.renderer}, $processors processors")
     }
 
     private fun Sample.columns(format: String) = arrayOf(median, lowest, highest).map { format.format(it) }.toTypedArray()

@@ -25,7 +25,8 @@ public object ProcessBench {
         if (!Files.isExecutable(launcher)) throw InputError("the launcher $launcher is not there: start this through ./cga bench.")
         val picture = Files.createTempFile("cga-bench", ".png")
         try {
-            val command = listOf(launcher.toString(), "render", "--step", step.sheet, "--size", "${width}x$height", "--out", picture.toString())
+            val options = listOf("--step", step.sheet, "--size", "${width}x$height", "--out", picture.toString())
+            val command = listOf(launcher.toString(), "render") + options
             run(command)
             val results = List(runs) { run(command) }
             return Result(Sample(results.map { it.first }), Sample(results.map { it.second }))

@@ -144,7 +144,7 @@ class GameWindowTest {
         val named = mapOf("--size 100000x100" to "100000x100", "--samples 99" to "99 samples", "--samples -1" to "-1 samples")
         for ((options, name) in named) {
             val words = "run $options".split(' ').toTypedArray()
-            val process = cga(*words, directory = directory, env = mapOf("DISPLAY" to display.display, "XDG_SESSION_TYPE" to "x11"))
+            val process = cga(*words, directory = directory, env = display.variables)
             assertEquals(2, process.exitCode) { "$process" }
             assertEquals(listOf(true), process.err.lines().filter { it.startsWith("cga: ") }.map { name in it }) { "$process" }
             assertFalse("Exception" in process.err) { "$process" }

@@ -89,12 +89,12 @@ class RunningGame(
             attempt()?.let { return it }
             Thread.sleep(20)
         }
-        throw AssertionError("$what did not come within $LIMIT_SECONDS s, ${state()}")
+        fail("$what did not come within $LIMIT_SECONDS s")
     }
 
     /** Waits for the program's own end. */
     fun exitCode(): Int {
-        if (!process.waitFor(LIMIT_SECONDS, SECONDS)) throw AssertionError("the program did not end, ${state()}")
+        if (!process.waitFor(LIMIT_SECONDS, SECONDS)) fail("the program did not end")
         return process.exitValue()
     }
 
@@ -102,7 +102,12 @@ class RunningGame(
         process.destroyForcibly().waitFor()
     }
 
-    private fun state() = "running: ${process.isAlive}\nstdout: $out\nstderr: $err"
+    // The process is ended here too, since nobody closes what fails while it is made.
+    private fun fail(message: String): Nothing {
+        val running = process.isAlive
+        close()
+        throw AssertionError("$message, running: $running\nstdout: $out\nstderr: $err")
+    }
 
     private fun start(
         options: String,
@@ -114,9 +119,7 @@ class RunningGame(
         val settings = listOf("-XX:TieredStopAtLevel=1", "-XX:+UseSerialGC", "-Djava.awt.headless=true", "-Dcga.home=$home")
         val command = listOf(java) + settings + listOf("-cp", classPath, "cga.cli.MainKt", "run") + options.split(' ')
         val builder = ProcessBuilder(command).directory(directory.toFile()).redirectOutput(outFile).redirectError(errFile)
-        // A desktop that the tests are started in shall not get the window.
-        builder.environment() += mapOf("DISPLAY" to display.display, "XDG_SESSION_TYPE" to "x11", "LIBGL_ALWAYS_SOFTWARE" to "1")
-        builder.environment() -= "WAYLAND_DISPLAY"
+        builder.environment() += display.variables + ("LIBGL_ALWAYS_SOFTWARE" to "1")
         return builder.start()
     }
 

@@ -22,7 +22,6 @@ import org.junit.jupiter.api.Assertions.assertTrue
 import org.junit.jupiter.api.Test
 import org.junit.jupiter.api.TestInstance
 import org.junit.jupiter.api.extension.ExtendWith
-import org.junit.jupiter.api.io.TempDir
 import java.nio.ByteBuffer
 import java.nio.file.Path
 import java.security.MessageDigest
@@ -54,7 +53,7 @@ class StepRenderTest {
     fun `on the ground every step is emission and what the lights of its frame give`() {
         for (step in Step.entries) {
             val picture = picture(step)
-            for (pixel in picture.ground.filter { it.distance < 15 }) {
+            for (pixel in picture.ground.filter { it.distance < 15 && it.x % 2 == 0 }) {
                 val emission = picture(Step.EMISSION)[pixel]
                 for (c in 0..2) {
                     val tint = picture.frame.draws.first().tint[c]
@@ -204,8 +203,8 @@ class StepRenderTest {
                 corners += (light.position.x() > 0) to (light.position.z() > 0) map { if (it) 1 else -1 }
                 val added = Vector3d { c -> (after[at.x.toInt(), at.y.toInt(), c] - before[at.x.toInt(), at.y.toInt(), c]).toDouble() }
                 val color = Vector3d(light.color)
-                // The texture is grey, so the pool has its light's colour. The nearest other corner is 38 away, F < 0.006 and cos α < 0.03,
-                // against F = 0.6 and cos α = 1: a hundredth at most.
+                // The texture is grey, so the pool has its light's colour. The next corner light is 32 away, where F is 1/119, against
+                // F = 1/1.7 at 1.2: what it adds is a 70th at most, and far less where the ground does not mirror it into the eye.
                 assertTrue(added.length() > 0.3, "no pool at ${light.position}: $added")
                 assertTrue(added.angle(color) < 0.02, "pool at ${light.position}: $added is not the colour $color")
             }
@@ -218,7 +217,7 @@ class StepRenderTest {
         val before = picture(Step.MORE_LIGHTS)
         val after = picture(Step.BLINN_PHONG)
         var highlights = 0
-        for (pixel in after.ground.filter { it.distance < 15 }) {
+        for (pixel in after.ground.filter { it.distance < 15 && it.x % 2 == 0 }) {
             for (c in 0..2) {
                 val changed = (after[pixel, c] - before[pixel, c]).toDouble()
                 val (least, most) = pixel.range { at -> after.highlights(at, c) - before.highlights(at, c) }
@@ -249,7 +248,7 @@ class StepRenderTest {
     @Test
     fun `no time and no direction gives NaN`() {
         for ((t, mouse) in listOf(0.0 to 0.0, 1e-9 to 400.0, 1e6 to -1e9, 1e300 to 1.0)) {
-            for (value in picture(Step.BLINN_PHONG, t, mouse).image.rgba) assertTrue(value.isFinite(), "t = $t, mouse $mouse: $value")
+            assertTrue(picture(Step.BLINN_PHONG, t, mouse).image.rgba.all(Float::isFinite), "t = $t, mouse $mouse")
         }
     }
 
@@ -258,35 +257,35 @@ class StepRenderTest {
         for (step in Step.entries) {
             val bytes = draw(scene(0.0).apply { scene.step = step }, ColorFormat.RGBA8).use { it.read().rgba }
             val floats = picture(step).image.rgba
-            for (i in bytes.indices) {
-                // OpenGL 3.3, 2.1.6 rounds 255·f to an integer, nearest preferred; the product itself errs by a float's 2⁻²⁴ of 255.
-                val expected = floats[i].coerceIn(0f, 1f) * 255.0
-                assertEquals(expected, (bytes[i].toInt() and 0xFF).toDouble(), 0.5 + 255.0 / (1 shl 24), "${step.sheet}, number $i")
-            }
+            fun error(i: Int) = abs(floats[i].coerceIn(0f, 1f) * 255.0 - (bytes[i].toInt() and 0xFF))
+            val worst = bytes.indices.maxBy(::error)
+            // OpenGL 3.3, 2.1.6 rounds 255·f to an integer, nearest preferred; the product itself errs by a float's 2⁻²⁴ of 255.
+            assertEquals(0.0, error(worst), 0.5 + 255.0 / (1 shl 24), "${step.sheet}: ${floats[worst]} became ${bytes[worst]}")
         }
     }
 
     @Test
-    fun `all thread counts give the same bytes`(@TempDir folder: Path) {
-        val here = StepDigests.compute()
-        for (threads in listOf("0", "1", "2", "4")) {
-            assertEquals(here, digests(ContextKind.OSMESA, folder, mapOf("LP_NUM_THREADS" to threads)), "LP_NUM_THREADS=$threads")
+    fun `all thread counts give the same bytes`() {
+        for (threads in listOf("0", "2", "4")) {
+            assertEquals(osmesa, digests(ContextKind.OSMESA, "LP_NUM_THREADS" to threads), "LP_NUM_THREADS=$threads")
         }
     }
 
     @Test
-    fun `OSMesa and EGL give the same bytes`(@TempDir folder: Path) {
-        assertEquals(digests(ContextKind.OSMESA, folder), digests(ContextKind.EGL, folder))
+    fun `OSMesa and EGL give the same bytes`() {
+        assertEquals(osmesa, digests(ContextKind.EGL))
     }
+
+    private val osmesa by lazy { digests(ContextKind.OSMESA, "LP_NUM_THREADS" to "1") }
 
     private fun digests(
         kind: ContextKind,
-        folder: Path,
-        env: Map<String, String> = emptyMap(),
+        vararg env: Pair<String, String>,
     ): String {
-        val process = CgaProcess.java(StepDigests::class.java.name, listOf(kind.name), folder, env = env)
+        val process = CgaProcess.java(StepDigests::class.java.name, listOf(kind.name), Path.of(""), env = mapOf(*env))
         if (process.exitCode == StepDigests.UNAVAILABLE) Offscreen.skip(process.err)
         assertEquals(0, process.exitCode, process.toString())
+        assertEquals(Step.entries.size * 4, process.out.trim().lines().size, process.toString())
         return process.out.trim()
     }
 

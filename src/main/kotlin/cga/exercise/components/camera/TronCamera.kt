@@ -51,7 +51,8 @@ public class TronCamera(
 
     /** View space → clip space, into [dest]. */
     public fun calculateProjectionMatrix(dest: Matrix4f): Matrix4f {
-        require(fieldOfView > 0f && fieldOfView < Math.PI && aspect > 0f && aspect.isFinite() && near > 0f && far > near && far.isFinite()) {
+        val usable = fieldOfView > 0f && fieldOfView < Math.PI && aspect > 0f && near > 0f && far > near
+        require(usable && aspect.isFinite() && far.isFinite()) {
             "field of view $fieldOfView rad, aspect $aspect, near $near, far $far: must satisfy 0 < fov < π, 0 < aspect, 0 < near < far"
         }
         return dest.setPerspective(fieldOfView, aspect, near, far)

@@ -1,0 +1,27 @@
+package cga.framework.image
+
+import org.junit.jupiter.api.Assertions.assertArrayEquals
+import org.junit.jupiter.api.Assertions.assertEquals
+import org.junit.jupiter.api.Test
+import org.junit.jupiter.api.io.TempDir
+import java.nio.file.Path
+import javax.imageio.ImageIO
+import kotlin.io.path.listDirectoryEntries
+import kotlin.random.Random
+
+class PngFileTest {
+    @Test
+    fun `what is written is read again, by stb and by the JDK`(@TempDir folder: Path) {
+        val file = folder.resolve("picture.png")
+        val image = ImageData(37, 11, Random(1).nextBytes(4 * 37 * 11))
+        PngFile.write(image, file)
+        assertEquals(listOf(file), folder.listDirectoryEntries())
+        val opaque = image.rgba.mapIndexed { i, byte -> if (i % 4 == 3) -1 else byte }.toByteArray()
+        assertArrayEquals(opaque, ImageData.read("$file").rgba)
+        val jdk = ImageIO.read(file.toFile())
+        assertEquals(37 to 11, jdk.width to jdk.height)
+        assertEquals(3, jdk.colorModel.numComponents)
+        val (r, g, b) = List(3) { opaque[4 * (2 * 37 + 5) + it].toInt() and 0xFF }
+        assertEquals(0xFF shl 24 or (r shl 16) or (g shl 8) or b, jdk.getRGB(5, 2))
+    }
+}

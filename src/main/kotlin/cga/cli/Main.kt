@@ -6,6 +6,9 @@ import com.github.ajalt.clikt.core.CliktError
 import com.github.ajalt.clikt.core.NoOpCliktCommand
 import com.github.ajalt.clikt.core.parse
 import com.github.ajalt.clikt.core.subcommands
+import org.lwjgl.system.Configuration
+import java.io.OutputStream
+import java.io.PrintStream
 import kotlin.system.exitProcess
 
 /** What went wrong on the user's side: bad usage, bad input. */
@@ -15,6 +18,8 @@ private const val EXIT_USER_ERROR = 2
 public fun main(args: Array<String>) {
     // Pictures are encoded by the JDK; nothing of its desktop may start beside GLFW.
     System.setProperty("java.awt.headless", "true")
+    // Where a library is missing our own message says so, and what to install; LWJGL's is for programmers.
+    Configuration.DEBUG_STREAM.set(PrintStream(OutputStream.nullOutputStream()))
     exitProcess(execute(cga(), args.toList()))
 }
 

@@ -29,6 +29,8 @@ import com.github.ajalt.mordant.widgets.progress.progressBarLayout
 import com.github.ajalt.mordant.widgets.progress.text
 import com.github.ajalt.mordant.widgets.progress.timeRemaining
 import java.nio.file.Path
+import java.util.concurrent.CompletableFuture
+import java.util.concurrent.CompletionException
 
 /** `cga render`: pictures of the scene without a window. */
 internal class RenderCommand : CliktCommand("render") {
@@ -61,9 +63,11 @@ internal class RenderCommand : CliktCommand("render") {
         checkUsage()
         val png = out ?: if (float == null) Path.of("motorcycle.png") else null
         listOfNotNull(png, float).forEach(AtomicFile::checkWritable)
+        // The scene needs no OpenGL to be read, so that happens while the driver starts.
+        val reading = CompletableFuture.supplyAsync { ScriptedScene(size.width, size.height, step, drive) }
         OffscreenContext.open(context).use {
             val format = if (float == null) ColorFormat.RGBA8 else ColorFormat.RGBA32F
-            RenderTarget(size.width, size.height, samples, format).use { target -> render(target, png) }
+            RenderTarget(size.width, size.height, samples, format).use { target -> render(reading.result(), target, png) }
         }
     }
 
@@ -78,11 +82,18 @@ internal class RenderCommand : CliktCommand("render") {
         if (mouse != 0.0 && !step.turnsWithMouse) echo("note: --mouse has no effect before step ${Step.ORBIT.sheet}", err = true)
     }
 
+    private fun <T> CompletableFuture<T>.result(): T =
+        try {
+            join()
+        } catch (e: CompletionException) {
+            throw e.cause ?: e
+        }
+
     private fun render(
+        player: ScriptedScene,
         target: RenderTarget,
         png: Path?,
     ) {
-        val player = ScriptedScene(size.width, size.height, step, drive)
         specular?.let { player.scene.specularModel = it }
         player.scene.gamma = gamma
         if (frames == 1) picture(player, target, 0, png) else sequence(player, target, png)

@@ -8,12 +8,9 @@ import cga.framework.FrameSpotLight
 import cga.framework.FrameTexture
 import cga.framework.RenderTarget
 import cga.framework.SpecularModel
-import cga.framework.context.ContextKind
-import cga.framework.context.ContextUnavailable
-import cga.framework.context.OffscreenContext
 import cga.framework.image.FloatImage
-import cga.testing.CgaProcess
 import cga.testing.Offscreen
+import org.joml.Matrix4d
 import org.joml.Vector2d
 import org.joml.Vector3d
 import org.junit.jupiter.api.Assertions.assertArrayEquals
@@ -22,9 +19,6 @@ import org.junit.jupiter.api.Assertions.assertTrue
 import org.junit.jupiter.api.Test
 import org.junit.jupiter.api.TestInstance
 import org.junit.jupiter.api.extension.ExtendWith
-import java.nio.ByteBuffer
-import java.nio.file.Path
-import java.security.MessageDigest
 import kotlin.math.PI
 import kotlin.math.abs
 import kotlin.math.acos
@@ -40,8 +34,8 @@ private const val HEIGHT = 180
 private const val T = 5.5
 
 /**
- * Every step draws what it adds, and draws it always alike. The ground is where this is looked at: what a pixel of it sees is known in
- * closed form, and with it each light's distance and angle.
+ * Every step draws what it adds. The ground is where this is looked at: what a pixel of it sees is known in closed form, and with it each
+ * light's distance and angle.
  */
 @ExtendWith(Offscreen::class)
 @TestInstance(TestInstance.Lifecycle.PER_CLASS)
@@ -241,7 +235,7 @@ class StepRenderTest {
         pictures.getOrPut(Triple(step, t, mouse)) {
             val scripted = scene(mouse)
             scripted.scene.step = step
-            draw(scripted, ColorFormat.RGBA32F, t).use { Picture(scripted.scene.frame(), it.readFloats()) }
+            scripted.draw(ColorFormat.RGBA32F, t).use { Picture(scripted.scene.frame(), it.readFloats()) }
         }
 
     private fun assertNowhereDarker(
@@ -255,14 +249,14 @@ class StepRenderTest {
     private infix fun <A, B> Pair<A, A>.map(change: (A) -> B): Pair<B, B> = change(first) to change(second)
 }
 
-private fun draw(
-    scripted: ScriptedScene,
+/** Draws the picture of time [t] into a new target. */
+internal fun ScriptedScene.draw(
     format: ColorFormat,
-    t: Double = T,
+    t: Double,
     samples: Int = 0,
 ): RenderTarget {
-    scripted.advanceTo(t)
-    return RenderTarget(WIDTH, HEIGHT, samples, format).also { scripted.scene.render() }
+    advanceTo(t)
+    return RenderTarget(framebufferWidth, framebufferHeight, samples, format).also { scene.render() }
 }
 
 /** A pixel that shows the ground; [inCell] is where in its cell of the grid, 0 to 1. [displaced] are points that it may show instead. */
@@ -291,7 +285,7 @@ private class Picture(
     val frame: Frame,
     val image: FloatImage,
 ) {
-    private val toWorld = frame.view.invert(org.joml.Matrix4d())
+    private val toWorld = frame.view.invert(Matrix4d())
     private val eye = toWorld.getTranslation(Vector3d())
 
     private val dull by lazy { frame.draws.first().material.diffuse.range() }
@@ -304,7 +298,7 @@ private class Picture(
 
     /** The pixels that show the ground. */
     val ground: List<GroundPixel> =
-        (motorcycle.toSet()).let { hidden ->
+        motorcycle.toSet().let { hidden ->
             (0 until HEIGHT).flatMap { y -> (0 until WIDTH).filter { x -> x to y !in hidden }.mapNotNull { x -> groundPixel(x, y) } }
         }
 

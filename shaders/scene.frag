@@ -2,8 +2,9 @@
 // The lighting model of the sheet, with everything in view space:
 //   L_O = M_e·tint + M_d·L_a + Σ I·F·(M_d·max(cos α, 0) + M_s·max(cos β, 0)^k)·L
 
-const int MAX_POINT_LIGHTS = 8;
-const int MAX_SPOT_LIGHTS = 2;
+// How many lights shine. The program puts the step's numbers here before compiling, so that a light that is off costs nothing.
+const int POINT_LIGHTS = 8;
+const int SPOT_LIGHTS = 2;
 const float MAX_FLOAT = 3.402823466e38;
 
 struct PointLight {
@@ -30,8 +31,8 @@ struct Material {
 in vec2 surfaceTexCoord;   // texture coordinates, multiplied
 in vec3 normalView;        // surface normal, any length
 in vec3 toCameraView;      // from the surface to the eye
-in vec3 toPointLightView[MAX_POINT_LIGHTS];  // from the surface to each light; the length is the distance d
-in vec3 toSpotLightView[MAX_SPOT_LIGHTS];
+in vec3 toPointLightView[max(POINT_LIGHTS, 1)];  // from the surface to each light; the length is the distance d
+in vec3 toSpotLightView[max(SPOT_LIGHTS, 1)];
 
 uniform Material material;
 uniform vec3 emissiveTint;
@@ -39,10 +40,8 @@ uniform vec3 ambient;       // L_a
 uniform bool blinnPhong;    // half vector instead of reflected vector
 uniform float inverseGamma; // 1 for none
 
-uniform int pointLightCount;
-uniform PointLight pointLight[MAX_POINT_LIGHTS];
-uniform int spotLightCount;
-uniform SpotLight spotLight[MAX_SPOT_LIGHTS];
+uniform PointLight pointLight[max(POINT_LIGHTS, 1)];
+uniform SpotLight spotLight[max(SPOT_LIGHTS, 1)];
 
 out vec4 fragColor;
 
@@ -95,12 +94,12 @@ void main() {
     vec3 toCamera = normalizeOrZero(toCameraView);
 
     vec3 color = emissive * emissiveTint + diffuse * ambient;
-    for (int i = 0; i < pointLightCount; i++) {
+    for (int i = 0; i < POINT_LIGHTS; i++) {
         float f = attenuationFactor(toPointLightView[i], pointLight[i].attenuation);
         vec3 toLight = normalizeOrZero(toPointLightView[i]);
         color += reflected(n, toLight, toCamera, diffuse, specular, f * pointLight[i].color);
     }
-    for (int i = 0; i < spotLightCount; i++) {
+    for (int i = 0; i < SPOT_LIGHTS; i++) {
         vec3 toLight = normalizeOrZero(toSpotLightView[i]);
         float f = attenuationFactor(toSpotLightView[i], spotLight[i].attenuation)
             * coneIntensity(-toLight, spotLight[i].direction, spotLight[i].cone);

@@ -1,8 +1,9 @@
 #version 330 core
 // Takes a vertex to the screen and hands the fragment shader the vectors of the lighting model, in view space.
 
-const int MAX_POINT_LIGHTS = 8;
-const int MAX_SPOT_LIGHTS = 2;
+// How many lights shine. The program puts the step's numbers here before compiling, so that a light that is off costs nothing.
+const int POINT_LIGHTS = 8;
+const int SPOT_LIGHTS = 2;
 
 struct PointLight {
     vec3 position;     // view space
@@ -27,18 +28,16 @@ uniform mat3 normalMatrix;  // the same for normals
 uniform mat4 projection;    // view space -> clip space
 uniform vec2 tcMultiplier;  // how often the textures repeat
 
-uniform int pointLightCount;
-uniform PointLight pointLight[MAX_POINT_LIGHTS];
-uniform int spotLightCount;
-uniform SpotLight spotLight[MAX_SPOT_LIGHTS];
+uniform PointLight pointLight[max(POINT_LIGHTS, 1)];
+uniform SpotLight spotLight[max(SPOT_LIGHTS, 1)];
 
 out vec2 surfaceTexCoord;                   // texture coordinates, multiplied
 out vec3 normalView;                        // surface normal, any length
 // From the surface to the eye and to each light. They are affine in the position, so interpolating them is exact;
 // normalising here would bend them between the vertices. Their lengths are the distances.
 out vec3 toCameraView;
-out vec3 toPointLightView[MAX_POINT_LIGHTS];
-out vec3 toSpotLightView[MAX_SPOT_LIGHTS];
+out vec3 toPointLightView[max(POINT_LIGHTS, 1)];
+out vec3 toSpotLightView[max(SPOT_LIGHTS, 1)];
 
 void main() {
     vec3 positionView = (modelView * vec4(position, 1.0)).xyz;
@@ -46,8 +45,8 @@ void main() {
     surfaceTexCoord = texCoord * tcMultiplier;
     normalView = normalMatrix * normal;
     toCameraView = -positionView;
-    for (int i = 0; i < pointLightCount; i++) toPointLightView[i] = pointLight[i].position - positionView;
-    for (int i = 0; i < spotLightCount; i++) toSpotLightView[i] = spotLight[i].position - positionView;
+    for (int i = 0; i < POINT_LIGHTS; i++) toPointLightView[i] = pointLight[i].position - positionView;
+    for (int i = 0; i < SPOT_LIGHTS; i++) toSpotLightView[i] = spotLight[i].position - positionView;
 
     gl_Position = projection * vec4(positionView, 1.0);
 }

@@ -202,7 +202,13 @@ class BadInputTest {
                 Broken("shaders/scene.frag", "an undeclared name", "scene.frag:", "error", "fragColor = vec4(colour") {
                     it.change("vec4(inverseGamma", "vec4(colour, inverseGamma")
                 },
-                Broken("shaders/scene.frag", "an input that the vertex shader has otherwise", "scene.vert", "do not fit together", "surfaceTexCoord") {
+                Broken(
+                    "shaders/scene.frag",
+                    "an input that the vertex shader has otherwise",
+                    "scene.vert",
+                    "do not fit together",
+                    "surfaceTexCoord",
+                ) {
                     it.change("in vec2 surfaceTexCoord", "in vec4 surfaceTexCoord", "surfaceTexCoord)", "surfaceTexCoord.xy)")
                 },
                 Broken("assets/ground/ground.obj", "missing", "does not exist", "put the file there") { it.deleteExisting() },
@@ -214,13 +220,24 @@ class BadInputTest {
                     it.writeText(it.readText() + "f 1/1/1 2/2/1 99999/1/1\n")
                 },
                 Broken("assets/ground/ground.mtl", "missing", "does not exist", "put the file there") { it.deleteExisting() },
-                Broken("assets/ground/ground.mtl", "another material", "uses the material ground") { it.change("newmtl ground", "newmtl lawn") },
-                Broken("assets/ground/ground.mtl", "a negative shininess", "Ns -60", "export it again", named = "ground.obj") { it.change("Ns 60", "Ns -60") },
+                Broken(
+                    "assets/ground/ground.mtl",
+                    "another material",
+                    "uses the material ground",
+                ) { it.change("newmtl ground", "newmtl lawn") },
+                Broken("assets/ground/ground.mtl", "a negative shininess", "Ns -60", "export it again", named = "ground.obj") {
+                    it.change("Ns 60", "Ns -60")
+                },
                 Broken("assets/ground/ground_diffuse.png", "missing", "does not exist", "put the file there") { it.deleteExisting() },
                 Broken("assets/ground/ground_diffuse.png", "half", "not a readable picture", "save it again as PNG") {
                     it.writeBytes(it.readBytes().copyOf(2000))
                 },
-                Broken("assets/motorcycle/body_emissive.png", "no picture", "not a readable picture", "save it again as PNG") { it.writeText("PNG") },
+                Broken(
+                    "assets/motorcycle/body_emissive.png",
+                    "no picture",
+                    "not a readable picture",
+                    "save it again as PNG",
+                ) { it.writeText("PNG") },
             )
 
         fun Path.change(vararg replacements: String) {

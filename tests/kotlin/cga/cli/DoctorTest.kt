@@ -15,7 +15,9 @@ class DoctorTest {
     private val noDisplay = mapOf("DISPLAY" to null, "WAYLAND_DISPLAY" to null)
 
     @Test
-    fun `it lists each kind with version and renderer or the reason`(@TempDir folder: Path) {
+    fun `it lists each kind with version and renderer or the reason`(
+        @TempDir folder: Path,
+    ) {
         Offscreen.openOrSkip().close()
         assumeTrue(System.getProperty("os.name").startsWith("Linux"))
         val process = CgaProcess.cga("doctor", directory = folder, env = noDisplay)
@@ -24,7 +26,13 @@ class DoctorTest {
         val rows = rows(process.out)
         assertEquals(setOf("osmesa", "egl", "window"), rows.keys)
         for ((kind, row) in rows) {
-            val wanted = if (" yes " in row) listOf("OpenGL", "GLSL") else listOf(" no ", if (kind == "window") "xvfb-run" else "apt-get install")
+            val wanted = if (" yes " in
+                row
+            ) {
+                listOf("OpenGL", "GLSL")
+            } else {
+                listOf(" no ", if (kind == "window") "xvfb-run" else "apt-get install")
+            }
             for (part in wanted) assertTrue(part in row, "$kind: $row")
         }
         assertTrue(" no " in rows.getValue("window") && "no display" in rows.getValue("window"), "$process")
@@ -32,9 +40,19 @@ class DoctorTest {
 
     // Empty files hide the libraries: the loader finds them first and cannot use them.
     @Test
-    fun `where nothing works it says so and fails`(@TempDir folder: Path) {
+    fun `where nothing works it says so and fails`(
+        @TempDir folder: Path,
+    ) {
         assumeTrue(System.getProperty("os.name").startsWith("Linux"))
-        for (library in listOf("libOSMesa.so", "libOSMesa.so.6", "libOSMesa.so.8", "libEGL.so", "libEGL.so.1")) folder.resolve(library).createFile()
+        for (library in listOf(
+            "libOSMesa.so",
+            "libOSMesa.so.6",
+            "libOSMesa.so.8",
+            "libEGL.so",
+            "libEGL.so.1",
+        )) {
+            folder.resolve(library).createFile()
+        }
         val process = CgaProcess.cga("doctor", directory = folder, env = noDisplay + ("LD_LIBRARY_PATH" to "$folder"))
         assertEquals(2, process.exitCode, "$process")
         val rows = rows(process.out)

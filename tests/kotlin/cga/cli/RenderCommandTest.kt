@@ -120,7 +120,8 @@ class RenderCommandTest {
         for (command in listOf("run", "render", "doctor")) assertTrue(command in help.out, "$help")
         val ofRender = cga("render", "--help")
         assertEquals(0, ofRender.exitCode, "$ofRender")
-        val options = listOf("step", "size", "t", "mouse", "drive", "samples", "out", "float", "context", "frames", "fps", "gamma", "specular")
+        val options =
+            listOf("step", "size", "t", "mouse", "drive", "samples", "out", "float", "context", "frames", "fps", "gamma", "specular")
         for (option in options) assertTrue("--$option" in ofRender.out, "--$option: $ofRender")
         val none = cga()
         assertEquals(2, none.exitCode, "$none")

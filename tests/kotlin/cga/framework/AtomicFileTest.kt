@@ -45,7 +45,10 @@ class AtomicFileTest {
         for (failure in listOf(IOException("no space"), InputError("bad"), IllegalStateException("a bug"), OutOfMemoryError("big"))) {
             val thrown = assertThrows<Throwable> { failing(failure) }
             if (failure is IOException) {
-                assertTrue(thrown is InputError && "$target" in thrown.message.orEmpty() && "no space" in thrown.message.orEmpty(), "$thrown")
+                assertTrue(
+                    thrown is InputError && "$target" in thrown.message.orEmpty() && "no space" in thrown.message.orEmpty(),
+                    "$thrown",
+                )
             } else {
                 assertEquals(failure, thrown)
             }

@@ -12,7 +12,9 @@ import kotlin.io.path.writeText
 
 class HomeTest {
     @Test
-    fun `relative paths are below the home, absolute ones are themselves`(@TempDir folder: Path) {
+    fun `relative paths are below the home, absolute ones are themselves`(
+        @TempDir folder: Path,
+    ) {
         val before = System.setProperty("cga.home", "$folder")
         try {
             assertEquals(folder.resolve("shaders/a.vert"), Home.resolve("shaders/a.vert"))

@@ -22,7 +22,11 @@ class RenderTargetTest {
                 clear(1f, 0.4f, 0f)
                 glDisable(GL_SCISSOR_TEST)
                 val black = listOf(0, 0, 0, 255)
-                assertEquals(listOf(255, 102, 0, 255) + black + black + black, target.read().rgba.map { it.toInt() and 0xFF }, "$samples samples")
+                assertEquals(
+                    listOf(255, 102, 0, 255) + black + black + black,
+                    target.read().rgba.map { it.toInt() and 0xFF },
+                    "$samples samples",
+                )
             }
         }
     }

@@ -31,7 +31,15 @@ class SameBytesRenderTest {
     fun `a step drawn alone is the same as one switched to, and twice the same`() {
         for (step in Step.entries) {
             val alone = scene(step)
-            repeat(2) { assertArrayEquals(floats(step), alone.draw(ColorFormat.RGBA32F, T).use { it.readFloats().rgba }, "${step.sheet}, time $it") }
+            repeat(
+                2,
+            ) {
+                assertArrayEquals(
+                    floats(step),
+                    alone.draw(ColorFormat.RGBA32F, T).use { it.readFloats().rgba },
+                    "${step.sheet}, time $it",
+                )
+            }
             alone.scene.cleanup()
         }
     }

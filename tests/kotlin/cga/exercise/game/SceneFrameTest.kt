@@ -73,7 +73,7 @@ class SceneFrameTest {
     fun `the shaders have room for the lights`() {
         for (shader in listOf("shaders/scene.vert", "shaders/scene.frag")) {
             val source = File(shader).readText()
-            assertTrue("MAX_POINT_LIGHTS = 8;" in source && "MAX_SPOT_LIGHTS = 2;" in source) { shader }
+            assertTrue("const int POINT_LIGHTS = 8;" in source && "const int SPOT_LIGHTS = 2;" in source) { shader }
         }
         assertTrue(start.pointLights.size <= 8 && start.spotLights.size <= 2)
     }

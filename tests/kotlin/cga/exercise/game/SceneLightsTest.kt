@@ -17,12 +17,10 @@ class SceneLightsTest {
             val (points, spots) = count
             lights.switchTo(step)
             val expected =
-                setOf("pointLightCount", "spotLightCount") +
-                    members("pointLight", points, listOf("position", "color", "attenuation")) +
+                members("pointLight", points, listOf("position", "color", "attenuation")) +
                     members("spotLight", spots, listOf("position", "color", "attenuation", "direction", "cone"))
-            val sent = sent()
-            assertEquals(expected, sent.keys, "$step")
-            assertEquals(count, sent["pointLightCount"] to sent["spotLightCount"], "$step")
+            assertEquals(expected, sent().keys, "$step")
+            assertEquals(mapOf("POINT_LIGHTS" to points, "SPOT_LIGHTS" to spots), lights.counts(step), "$step")
         }
     }
 

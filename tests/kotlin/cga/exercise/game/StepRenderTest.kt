@@ -83,6 +83,7 @@ class StepRenderTest {
         val after = picture(Step.POINT_LIGHT)
         assertNowhereDarker(before, after)
         val light = after.frame.pointLights.single()
+
         fun added(distances: ClosedRange<Double>) =
             after.ground.filter { it.world.distance(foot(light)) in distances }.map { after[it, 1] - before[it, 1] }.average()
         // The light is 1.28 above the ground: cos α is above 0.54 within 2 units of its foot and below 0.16 beyond 8.
@@ -215,7 +216,12 @@ class StepRenderTest {
             for (c in 0..2) {
                 val changed = (after[pixel, c] - before[pixel, c]).toDouble()
                 val (least, most) = pixel.range { at -> after.highlights(at, c) - before.highlights(at, c) }
-                val products = listOf(least * after.gloss.start, least * after.gloss.endInclusive, most * after.gloss.start, most * after.gloss.endInclusive)
+                val products = listOf(
+                    least * after.gloss.start,
+                    least * after.gloss.endInclusive,
+                    most * after.gloss.start,
+                    most * after.gloss.endInclusive,
+                )
                 // Rounding as in the test of all steps.
                 assertTrue(changed in products.min() - 1e-5..products.max() + 1e-5, "channel $c of $pixel: $changed is not in $products")
                 if (abs(changed) > 0.05) highlights++

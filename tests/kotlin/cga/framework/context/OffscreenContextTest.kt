@@ -43,7 +43,10 @@ class OffscreenContextTest {
 
     @Test
     fun `a window without a display is unavailable, with the cure`() {
-        assumeTrue(isLinux && listOf("DISPLAY", "WAYLAND_DISPLAY").all { System.getenv(it).isNullOrEmpty() }, "needs a machine without display")
+        assumeTrue(
+            isLinux && listOf("DISPLAY", "WAYLAND_DISPLAY").all { System.getenv(it).isNullOrEmpty() },
+            "needs a machine without display",
+        )
         val message = assertThrows<ContextUnavailable> { OffscreenContext.open(ContextKind.WINDOW) }.message.orEmpty()
         assertTrue("no display" in message && "xvfb-run" in message, message)
         Offscreen.openOrSkip().close()
@@ -51,9 +54,19 @@ class OffscreenContextTest {
 
     // Empty files hide the libraries: the loader finds them first and cannot use them.
     @Test
-    fun `without libraries every kind is named with its reason and its cure`(@TempDir folder: Path) {
+    fun `without libraries every kind is named with its reason and its cure`(
+        @TempDir folder: Path,
+    ) {
         assumeTrue(isLinux)
-        for (library in listOf("libOSMesa.so", "libOSMesa.so.6", "libOSMesa.so.8", "libEGL.so", "libEGL.so.1")) folder.resolve(library).createFile()
+        for (library in listOf(
+            "libOSMesa.so",
+            "libOSMesa.so.6",
+            "libOSMesa.so.8",
+            "libEGL.so",
+            "libEGL.so.1",
+        )) {
+            folder.resolve(library).createFile()
+        }
         val hidden = mapOf("LD_LIBRARY_PATH" to "$folder", "DISPLAY" to null, "WAYLAND_DISPLAY" to null)
         val process = CgaProcess.cga("render", "--size", "8x8", "--out", "none.png", directory = folder, env = hidden)
         assertEquals(2, process.exitCode, process.toString())
@@ -65,7 +78,9 @@ class OffscreenContextTest {
     }
 
     @Test
-    fun `EGL without a driver is unavailable, with the cure`(@TempDir folder: Path) {
+    fun `EGL without a driver is unavailable, with the cure`(
+        @TempDir folder: Path,
+    ) {
         assumeTrue(isLinux)
         Offscreen.openOrSkip(ContextKind.EGL).close()
         // libglvnd, which libEGL.so.1 is, looks for the drivers' descriptions there.

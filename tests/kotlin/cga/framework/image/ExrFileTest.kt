@@ -22,7 +22,9 @@ class ExrFileTest {
     private val rgba = FloatArray(4 * width * height) { Random(it).nextFloat() * 1000 - 500 }
 
     @Test
-    fun `every float comes back, bit for bit`(@TempDir folder: Path) {
+    fun `every float comes back, bit for bit`(
+        @TempDir folder: Path,
+    ) {
         val special = floatArrayOf(0f, -0f, 1e-45f, -3.4e38f, 3.4028235e38f, 65505f, 1f / 3, Float.POSITIVE_INFINITY)
         special.copyInto(rgba)
         val file = folder.resolve("picture.exr")

@@ -11,7 +11,9 @@ import kotlin.random.Random
 
 class PngFileTest {
     @Test
-    fun `what is written is read again, by stb and by the JDK`(@TempDir folder: Path) {
+    fun `what is written is read again, by stb and by the JDK`(
+        @TempDir folder: Path,
+    ) {
         val file = folder.resolve("picture.png")
         val image = ImageData(37, 11, Random(1).nextBytes(4 * 37 * 11))
         PngFile.write(image, file)

@@ -53,7 +53,10 @@ class TextureImageTest {
         val rgba = reds.flatMap { listOf(it, 255 - it, 40, 255) }.map { it.toByte() }.toByteArray()
         val levels = TextureImage(ImageData(width, height, rgba), mipmaps).levels
         for (level in levels) {
-            assertEquals(setOf(40 to 255), level.rgba.toList().chunked(4).map { (it[2].toInt() and 0xFF) to (it[3].toInt() and 0xFF) }.toSet())
+            assertEquals(
+                setOf(40 to 255),
+                level.rgba.toList().chunked(4).map { (it[2].toInt() and 0xFF) to (it[3].toInt() and 0xFF) }.toSet(),
+            )
         }
         return levels.map { level -> level.rgba.toList().chunked(4).map { it[0].toInt() and 0xFF } }
     }

@@ -25,12 +25,19 @@ public class Scene(
     private val window: WindowState,
     step: Step = Step.FINAL,
 ) {
-    private val program = ShaderProgram("shaders/scene.vert", "shaders/scene.frag")
     private val ground =
         ModelLoader.loadModel("assets/ground/ground.obj").apply { meshes.forEach { it.material?.tcMultiplier?.set(64f) } }
     private val motorcycle = ModelLoader.loadModel("assets/motorcycle/motorcycle.obj")
     private val camera = TronCamera(parent = motorcycle)
     private val lights = SceneLights(motorcycle)
+
+    // One program for each number of lights that steps have: a light that is off costs nothing, not even an interpolated vector.
+    private val programs =
+        Step.entries
+            .map(lights::counts)
+            .distinct()
+            .associateWith { ShaderProgram("shaders/scene.vert", "shaders/scene.frag", it) }
+    private var program = programs.getValue(lights.counts(step))
     private val ride = Ride()
     private val orbit = Orbit()
     private var time = 0.0
@@ -45,6 +52,7 @@ public class Scene(
             field = value
             specularModel = value.specularModel
             lights.switchTo(value)
+            program = programs.getValue(lights.counts(value))
         }
 
     /** Phong or Blinn-Phong. */
@@ -129,7 +137,7 @@ public class Scene(
 
     /** Compiles the shaders as they are on disk now; see [ShaderProgram.reload]. */
     public fun reloadShaders() {
-        program.reload()
+        programs.values.forEach(ShaderProgram::reload)
     }
 
     /** The picture that [render] would draw now, as plain data. */
@@ -149,7 +157,7 @@ public class Scene(
 
     /** Frees everything on the GPU. */
     public fun cleanup() {
-        program.cleanup()
+        programs.values.forEach(ShaderProgram::cleanup)
         ground.cleanup()
         motorcycle.cleanup()
     }

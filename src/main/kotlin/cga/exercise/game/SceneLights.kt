@@ -32,8 +32,8 @@ internal class SceneLights(motorcycle: Transformable) {
         private set
 
     fun switchTo(step: Step) {
-        points = listOfNotNull(pointLight.takeIf { step.pointLight }) + if (step.cornerLights) cornerLights else emptyList()
-        spots = listOfNotNull(spotLight.takeIf { step.spotLight })
+        points = points(step)
+        spots = spots(step)
         for ((light, k) in attenuated) light.attenuation = if (step.attenuation) k else CONSTANT
     }
 
@@ -42,23 +42,29 @@ internal class SceneLights(motorcycle: Transformable) {
         pointLight.lightColor = color
     }
 
+    /** How many lights shine at [step], by the names of the shaders' constants. */
+    fun counts(step: Step): Map<String, Int> = mapOf("POINT_LIGHTS" to points(step).size, "SPOT_LIGHTS" to spots(step).size)
+
     /** Sends the lights that shine to the program in use. */
     fun bind(
         shaderProgram: ShaderProgram,
         view: Matrix4dc,
     ) {
-        shaderProgram.setUniform("pointLightCount", points.size)
         for (i in points.indices) points[i].bind(shaderProgram, POINT_NAMES[i], view)
-        shaderProgram.setUniform("spotLightCount", spots.size)
         for (i in spots.indices) spots[i].bind(shaderProgram, SPOT_NAMES[i], view)
     }
+
+    private fun points(step: Step): List<PointLight> =
+        listOfNotNull(pointLight.takeIf { step.pointLight }) + if (step.cornerLights) cornerLights else emptyList()
+
+    private fun spots(step: Step): List<SpotLight> = listOfNotNull(spotLight.takeIf { step.spotLight })
 
     private companion object {
         const val CORNER = 16f
         val WHITE: Vector3fc = Vector3f(1f)
         val CONSTANT: Vector3fc = Vector3f(1f, 0f, 0f)
 
-        // As many as the shaders take.
+        // As many as a driver surely has varyings for.
         val POINT_NAMES = Array(8) { "pointLight[$it]" }
         val SPOT_NAMES = Array(2) { "spotLight[$it]" }
 

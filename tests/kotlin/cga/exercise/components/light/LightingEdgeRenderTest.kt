@@ -68,7 +68,13 @@ class LightingEdgeRenderTest {
         for (degrees in listOf(0.0, 10.0, 19.9, 20.1, 25.0, 30.0, 35.0, 39.9, 40.1, 60.0, 90.0, 120.0, 180.0)) {
             val light = SpotLight(atAngle(degrees), WHITE, inner, outer, CONSTANT)
             val lit = shade(facing(light), spots = listOf(light))[0].toDouble()
-            val expected = ((cos(Math.toRadians(degrees)) - cos(outer.toDouble())) / (cos(inner.toDouble()) - cos(outer.toDouble()))).coerceIn(0.0, 1.0)
+            val expected = (
+                (
+                    cos(
+                        Math.toRadians(degrees),
+                    ) - cos(outer.toDouble())
+                ) / (cos(inner.toDouble()) - cos(outer.toDouble()))
+            ).coerceIn(0.0, 1.0)
             assertEquals(expected, lit, coneBound(outer.toDouble()) + DIFFUSE_BOUND, "$degrees°")
         }
     }
@@ -111,7 +117,11 @@ class LightingEdgeRenderTest {
             val alone = shade(surface, listOf(other))
             for (k in listOf(Vector3f(1f, 0.5f, 0.1f), Vector3f(0f, 0f, 1f))) {
                 assertArrayEquals(alone, shade(surface, listOf(point(surface.position, WHITE, k), other)), "point light, K = $k")
-                assertArrayEquals(alone, shade(surface, listOf(other), listOf(SpotLight(surface.position, WHITE, 1f, 1.5f, k))), "spotlight, K = $k")
+                assertArrayEquals(
+                    alone,
+                    shade(surface, listOf(other), listOf(SpotLight(surface.position, WHITE, 1f, 1.5f, k))),
+                    "spotlight, K = $k",
+                )
             }
         }
     }
@@ -165,7 +175,11 @@ class LightingEdgeRenderTest {
                 for (k in listOf(CONSTANT, Vector3f(1f, 0.5f, 0.1f), Vector3f(0f, 0f, 1f))) {
                     val far = Vector3f(0f, distance, 0f)
                     assertArrayEquals(dark, shade(surface, listOf(point(far, WHITE, k))), "point light at $distance, K = $k")
-                    assertArrayEquals(dark, shade(surface, spots = listOf(SpotLight(far, WHITE, 1f, 1.5f, k))), "spotlight at $distance, K = $k")
+                    assertArrayEquals(
+                        dark,
+                        shade(surface, spots = listOf(SpotLight(far, WHITE, 1f, 1.5f, k))),
+                        "spotlight at $distance, K = $k",
+                    )
                 }
             }
             assertTrue(shade(surface, listOf(point(Vector3f(0f, 1.8e19f, 0f), WHITE, CONSTANT)))[0] > dark[0] + 0.1f)
@@ -241,7 +255,8 @@ class LightingEdgeRenderTest {
     /** A spotlight near the surface, pointing roughly at it. */
     private fun spot(random: Random): SpotLight {
         val outer = random.nextDouble(0.1, PI / 2).toFloat()
-        val light = SpotLight(random.vector(2.0).add(0f, 0f, 2f), random.color(), outer * random.nextFloat() * 0.9f, outer, random.attenuation())
+        val light =
+            SpotLight(random.vector(2.0).add(0f, 0f, 2f), random.color(), outer * random.nextFloat() * 0.9f, outer, random.attenuation())
         return light.apply { rotateLocal(random.nextFloat() - 0.5f, random.nextFloat() - 0.5f, 0f) }
     }
 
@@ -263,7 +278,7 @@ class LightingEdgeRenderTest {
         points: List<PointLight> = emptyList(),
         spots: List<SpotLight> = emptyList(),
     ): FloatArray {
-        val program = Gpu.program
+        val program = Gpu.program(points.size, spots.size)
         program.use()
         program.setUniform("modelView", Matrix4f().translation(surface.position), false)
         program.setUniform("normalMatrix", Matrix3f(), false)
@@ -273,17 +288,27 @@ class LightingEdgeRenderTest {
         program.setUniform("ambient", surface.ambient)
         program.setUniform("blinnPhong", surface.blinnPhong)
         program.setUniform("inverseGamma", surface.inverseGamma)
-        program.setUniform("pointLightCount", points.size)
         points.forEachIndexed { i, light -> light.bind(program, "pointLight[$i]", IDENTITY) }
-        program.setUniform("spotLightCount", spots.size)
         spots.forEachIndexed { i, light -> light.bind(program, "spotLight[$i]", IDENTITY) }
-        return Gpu.draw(surface)
+        return Gpu.draw(surface, program)
     }
 
     private object Gpu {
-        val program = ShaderProgram("shaders/scene.vert", "shaders/scene.frag")
+        private val programs = HashMap<Map<String, Int>, ShaderProgram>()
 
-        fun draw(surface: Surface): FloatArray {
+        /** The scene's shaders for so many lights. */
+        fun program(
+            points: Int,
+            spots: Int,
+        ): ShaderProgram =
+            programs.getOrPut(mapOf("POINT_LIGHTS" to points, "SPOT_LIGHTS" to spots)) {
+                ShaderProgram("shaders/scene.vert", "shaders/scene.frag", mapOf("POINT_LIGHTS" to points, "SPOT_LIGHTS" to spots))
+            }
+
+        fun draw(
+            surface: Surface,
+            program: ShaderProgram,
+        ): FloatArray {
             val material = Material(plain(surface.diffuse), plain(surface.emissive), plain(surface.specular), surface.shininess)
             val vertices = glGenVertexArrays()
             RenderTarget(1, 1, 0, ColorFormat.RGBA32F).use { target ->

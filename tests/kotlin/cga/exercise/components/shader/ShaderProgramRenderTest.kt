@@ -102,7 +102,9 @@ class ShaderProgramRenderTest {
     fun `an unknown uniform is reported once, with the nearest name`() {
         val warnings = mutableListOf<String>()
         vertex.writeText(VERTEX)
-        fragment.writeText(fragment("vec4(material.shininess, other, 0, 1)", "struct M { float shininess; };\nuniform M material;\nuniform float other;"))
+        fragment.writeText(
+            fragment("vec4(material.shininess, other, 0, 1)", "struct M { float shininess; };\nuniform M material;\nuniform float other;"),
+        )
         val program =
             object : ShaderProgram("$vertex", "$fragment") {
                 override fun warn(message: String) {
@@ -112,13 +114,45 @@ class ShaderProgramRenderTest {
         program.use()
         repeat(3) { program.setUniform("material.shinines", 1f) }
         assertEquals(1, warnings.size, "$warnings")
-        for (part in listOf("material.shinines ", "Did you mean material.shininess?", "$fragment")) assertTrue(part in warnings[0], warnings[0])
+        for (part in listOf(
+            "material.shinines ",
+            "Did you mean material.shininess?",
+            "$fragment",
+        )) {
+            assertTrue(part in warnings[0], warnings[0])
+        }
         program.setUniform("material.shinines", Vector3f())
         program.setUniform("material.shininess", 1f)
         assertEquals(1, warnings.size, "$warnings")
         program.setUniform("othe", 1)
         assertEquals(2, warnings.size, "$warnings")
         GLError.check("setting unknown uniforms")
+    }
+
+    @Test
+    fun `a uniform that is declared and not used is passed over`() {
+        vertex.writeText(VERTEX)
+        fragment.writeText(fragment("vec4(1, 0, 0, 1)", "uniform float idle;"))
+        val program =
+            object : ShaderProgram("$vertex", "$fragment") {
+                override fun warn(message: String): Unit = throw AssertionError(message)
+            }
+        program.use()
+        program.setUniform("idle", 1f)
+    }
+
+    @Test
+    fun `constants take the place of the numbers in the files, and the compiler's lines stay`() {
+        val source = fragment("vec4(N == 3 ? 1 : 0, MORE == 1 ? 1 : 0, 0, 1)", "const int N = 12;\nconst int MORE = 1;")
+        vertex.writeText(VERTEX)
+        fragment.writeText(source)
+        val constants = mapOf("N" to 3, "ELSEWHERE" to 4)
+        assertEquals(listOf(1f, 1f, 0f, 1f), draw(ShaderProgram("$vertex", "$fragment", constants)))
+        assertEquals(GREEN, draw(ShaderProgram("$vertex", "$fragment")))
+        fragment.writeText(source.replace("vec4(N", "vec5(N"))
+        val line = source.lines().indexOfFirst { "vec4(N" in it } + 1
+        val error = assertThrows<ShaderError> { ShaderProgram("$vertex", "$fragment", constants).use() }
+        assertTrue("$fragment:$line:" in error.message.orEmpty(), error.message)
     }
 
     @Test

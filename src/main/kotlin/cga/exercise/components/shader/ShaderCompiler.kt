@@ -1,19 +1,18 @@
 package cga.exercise.components.shader
 
-import cga.framework.Home
 import org.lwjgl.opengl.GL33C.*
 
 /** Compiles and links GLSL, and turns the driver's log into messages with the file's name and the line's text. */
 internal object ShaderCompiler {
-    /** A linked program of the two files, owned by the caller. Throws [ShaderError]; nothing is left behind then. */
+    /** A linked program of the two sources, owned by the caller. Throws [ShaderError]; nothing is left behind then. */
     fun link(
-        vertexPath: String,
-        fragmentPath: String,
+        vertexSource: ShaderSource,
+        fragmentSource: ShaderSource,
     ): Int {
-        val vertex = compile(GL_VERTEX_SHADER, vertexPath)
+        val vertex = compile(GL_VERTEX_SHADER, vertexSource)
         val fragment =
             try {
-                compile(GL_FRAGMENT_SHADER, fragmentPath)
+                compile(GL_FRAGMENT_SHADER, fragmentSource)
             } catch (e: ShaderError) {
                 glDeleteShader(vertex)
                 throw e
@@ -27,23 +26,22 @@ internal object ShaderCompiler {
         if (glGetProgrami(program, GL_LINK_STATUS) == GL_FALSE) {
             val log = glGetProgramInfoLog(program)
             glDeleteProgram(program)
-            throw ShaderError("shaders $vertexPath and $fragmentPath do not fit together: ${log.trim()}")
+            throw ShaderError("shaders ${vertexSource.path} and ${fragmentSource.path} do not fit together: ${log.trim()}")
         }
         return program
     }
 
     private fun compile(
         stage: Int,
-        path: String,
+        source: ShaderSource,
     ): Int {
-        val source = String(Home.read(path, "shader"))
         val shader = glCreateShader(stage)
-        glShaderSource(shader, source)
+        glShaderSource(shader, source.text)
         glCompileShader(shader)
         if (glGetShaderi(shader, GL_COMPILE_STATUS) == GL_FALSE) {
             val log = glGetShaderInfoLog(shader)
             glDeleteShader(shader)
-            throw ShaderError(explain(path, source, log))
+            throw ShaderError(explain(source.path, source.text, log))
         }
         return shader
     }

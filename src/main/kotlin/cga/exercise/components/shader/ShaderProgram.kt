@@ -1,6 +1,5 @@
 package cga.exercise.components.shader
 
-import cga.framework.Home
 import org.joml.Matrix3fc
 import org.joml.Matrix4fc
 import org.joml.Vector2fc
@@ -10,37 +9,43 @@ import org.lwjgl.BufferUtils
 import org.lwjgl.opengl.GL33C.*
 
 /**
- * A vertex and a fragment shader, compiled and linked when first used, so a program can be made without a context.
+ * A vertex and a fragment shader, read now, and compiled and linked when first used, so a program can be made without a context.
  *
+ * @param constants numbers for the `const int NAME = …;` lines of the shaders, where they differ from what the files say.
  * Throws [cga.framework.InputError] when a file is missing, and [ShaderError] when GLSL does not compile or link.
  */
 public open class ShaderProgram(
     private val vertexPath: String,
     private val fragmentPath: String,
+    private val constants: Map<String, Int> = emptyMap(),
 ) {
+    private var vertex = ShaderSource.read(vertexPath, constants)
+    private var fragment = ShaderSource.read(fragmentPath, constants)
     private var program = 0
     private val locations = HashMap<String, Location>()
     private val matrix = BufferUtils.createFloatBuffer(16)
 
-    init {
-        Home.read(vertexPath, "shader")
-        Home.read(fragmentPath, "shader")
-    }
-
     /** Makes this the program that draws and that [setUniform] speaks to. */
     public fun use() {
-        if (program == 0) program = ShaderCompiler.link(vertexPath, fragmentPath)
+        if (program == 0) program = ShaderCompiler.link(vertex, fragment)
         glUseProgram(program)
     }
 
     /** Compiles the files as they are now. When they do not compile, the [ShaderError] is thrown and the old program stays. */
     public fun reload() {
-        val fresh = ShaderCompiler.link(vertexPath, fragmentPath)
+        val freshVertex = ShaderSource.read(vertexPath, constants)
+        val freshFragment = ShaderSource.read(fragmentPath, constants)
+        val fresh = ShaderCompiler.link(freshVertex, freshFragment)
         cleanup()
+        vertex = freshVertex
+        fragment = freshFragment
         program = fresh
     }
 
-    /** Sets the uniform [name] of the program in use. A name it does not have is reported once, on standard error. */
+    /**
+     * Sets the uniform [name] of the program in use. A name it does not have is reported once, on standard error; one that the shaders
+     * declare and do not use is passed over.
+     */
     public open fun setUniform(
         name: String,
         value: Int,
@@ -126,8 +131,14 @@ public open class ShaderProgram(
     private fun find(name: String): Location {
         val found = Location(glGetUniformLocation(program, name))
         locations[name] = found
-        if (found.value < 0) warn(UniformNames.unknown(name, UniformNames.of(program), "$vertexPath + $fragmentPath"))
+        if (found.value < 0 && !declares(name)) warn(UniformNames.unknown(name, UniformNames.of(program), "$vertexPath + $fragmentPath"))
         return found
+    }
+
+    // A uniform that the shaders declare and this variant of them does not need (no lights, no normals) is no mistake.
+    private fun declares(name: String): Boolean {
+        val declaration = Regex("""\buniform\s+\w+\s+${Regex.escape(name)}\s*;""")
+        return declaration.containsMatchIn(vertex.text) || declaration.containsMatchIn(fragment.text)
     }
 
     // An object of our own: a boxed Int would be allocated at every look-up of a location beyond 127.

@@ -19,7 +19,7 @@ internal object UniformNames {
     ): String {
         val nearest = known.minByOrNull { distance(it, name) }
         val hint = if (nearest == null) "It has no uniforms at all." else "Did you mean $nearest?"
-        return "warning: uniform $name is not in $program, or its shaders do not use it. $hint"
+        return "warning: uniform $name is not in $program. $hint"
     }
 
     /** Levenshtein's edit distance. */

@@ -1,6 +1,7 @@
 package cga.framework
 
 import java.io.IOException
+import java.nio.file.AtomicMoveNotSupportedException
 import java.nio.file.Files
 import java.nio.file.Path
 import java.nio.file.StandardCopyOption.ATOMIC_MOVE
@@ -19,7 +20,7 @@ public object AtomicFile {
             fill(temporary)
             move(temporary, target)
         } catch (e: IOException) {
-            throw InputError("cannot write $target (${e.javaClass.simpleName}: ${e.message}): is the disk full or the folder read-only?", e)
+            throw InputError("cannot write $target (${e.reason()}): is the disk full or the folder read-only?", e)
         } finally {
             temporary.toFile().delete()
         }
@@ -47,7 +48,7 @@ public object AtomicFile {
     ) {
         try {
             Files.move(from, to, ATOMIC_MOVE, REPLACE_EXISTING)
-        } catch (_: java.nio.file.AtomicMoveNotSupportedException) {
+        } catch (_: AtomicMoveNotSupportedException) {
             Files.move(from, to, REPLACE_EXISTING)
         }
     }

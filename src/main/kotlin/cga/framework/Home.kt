@@ -1,5 +1,6 @@
 package cga.framework
 
+import java.io.IOException
 import java.nio.file.Files
 import java.nio.file.Path
 
@@ -25,8 +26,8 @@ public object Home {
         if (Files.isDirectory(file)) throw InputError("$kind file $file is a folder: name the file in it.")
         return try {
             Files.readAllBytes(file)
-        } catch (e: java.io.IOException) {
-            throw InputError("$kind file $file cannot be read (${e.javaClass.simpleName}): check its permissions.", e)
+        } catch (e: IOException) {
+            throw InputError("$kind file $file cannot be read (${e.reason()}): check its permissions.", e)
         }
     }
 }

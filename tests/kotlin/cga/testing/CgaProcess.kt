@@ -65,8 +65,8 @@ class CgaProcess private constructor(
             return CgaProcess(process.exitValue(), out.readText(), err.readText())
         }
 
-        // As the launcher starts it; without the optimising compiler short runs are faster.
-        private fun command(
+        /** The command that starts [main]: as the launcher does; without the optimising compiler short runs are faster. */
+        fun command(
             main: String,
             args: List<String>,
             home: Path,

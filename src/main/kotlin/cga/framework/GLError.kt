@@ -11,16 +11,16 @@ public object GLError {
     public fun check(action: String) {
         var code = glGetError()
         if (code == GL_NO_ERROR) return
-        val names = mutableListOf<String>()
+        val codes = mutableListOf<Int>()
         // A lost context answers errors for ever: a handful is enough to name.
-        while (code != GL_NO_ERROR && names.size < 8) {
-            names += name(code)
+        while (code != GL_NO_ERROR && codes.size < 8) {
+            codes += code
             code = glGetError()
         }
-        if (name(GL_OUT_OF_MEMORY) in names) {
+        if (GL_OUT_OF_MEMORY in codes) {
             throw InputError("OpenGL ran out of memory while $action: give a smaller size, or fewer samples.")
         }
-        error("OpenGL reported ${names.joinToString()} while $action.")
+        error("OpenGL reported ${codes.joinToString(transform = ::name)} while $action.")
     }
 
     private fun name(code: Int): String =

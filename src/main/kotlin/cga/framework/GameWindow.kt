@@ -119,7 +119,8 @@ public abstract class GameWindow(
     public fun run() {
         open()
         try {
-            checkSamples()
+            // GLFW takes the number of samples as a wish and says nothing when the driver has fewer.
+            RenderTarget.checkSamples(msaasamples)
             start()
             try {
                 loop()
@@ -140,21 +141,12 @@ public abstract class GameWindow(
         Glfw.hintCoreProfile(cvmaj, cvmin)
         glfwWindowHint(GLFW_OPENGL_FORWARD_COMPAT, GLFW_TRUE)
         glfwWindowHint(GLFW_SAMPLES, msaasamples)
-        window = glfwCreateWindow(width, height, title, if (fullscreen) glfwGetPrimaryMonitor() else NULL, NULL)
-        if (window == NULL) {
-            val reason = Glfw.lastError()
-            glfwTerminate()
-            throw InputError("no window with OpenGL $cvmaj.$cvmin can be opened ($reason): install or update the graphics driver.")
-        }
-        Glfw.makeCurrent(window)
+        window =
+            Glfw.openWindow(width, height, title, if (fullscreen) glfwGetPrimaryMonitor() else NULL) { reason ->
+                InputError("no window with OpenGL $cvmaj.$cvmin can be opened ($reason): install or update the graphics driver.")
+            }
         glfwSwapInterval(if (vsync) 1 else 0)
         listen()
-    }
-
-    // GLFW takes the number of samples as a wish and says nothing when the driver has fewer.
-    private fun checkSamples() {
-        val limit = glGetInteger(GL_MAX_SAMPLES)
-        if (msaasamples !in 0..limit) throw InputError("$msaasamples samples a pixel cannot be shown: this driver has 0 to $limit.")
     }
 
     private fun listen() {

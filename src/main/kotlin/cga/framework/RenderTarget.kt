@@ -119,8 +119,8 @@ public class RenderTarget(
         }
     }
 
-    private companion object {
-        fun checkSize(
+    internal companion object {
+        private fun checkSize(
             width: Int,
             height: Int,
         ) {
@@ -132,6 +132,7 @@ public class RenderTarget(
             }
         }
 
+        /** Throws [InputError] when the current context's driver does not have so many samples a pixel. */
         fun checkSamples(samples: Int) {
             val limit = glGetInteger(GL_MAX_SAMPLES)
             if (samples !in 0..limit) throw InputError("$samples samples a pixel cannot be rendered: this driver has 0 to $limit.")

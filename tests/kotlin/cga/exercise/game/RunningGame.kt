@@ -2,12 +2,10 @@ package cga.exercise.game
 
 import cga.build.projectRoot
 import cga.framework.image.ImageData
+import cga.testing.CgaProcess
 import cga.testing.Xvfb
-import java.io.File
-import java.io.File.pathSeparator
 import java.nio.file.Path
 import java.util.concurrent.TimeUnit.SECONDS
-import kotlin.io.path.Path
 import kotlin.io.path.exists
 
 /**
@@ -113,11 +111,7 @@ class RunningGame(
         options: String,
         home: Path,
     ): Process {
-        val java = Path(System.getProperty("java.home"), "bin", "java").toString()
-        val classPath = System.getProperty("java.class.path").split(pathSeparator).joinToString(pathSeparator) { File(it).absolutePath }
-        // Compiled as in CgaProcess.
-        val settings = listOf("-XX:TieredStopAtLevel=1", "-XX:+UseSerialGC", "-Djava.awt.headless=true", "-Dcga.home=$home")
-        val command = listOf(java) + settings + listOf("-cp", classPath, "cga.cli.MainKt", "run") + options.split(' ')
+        val command = CgaProcess.command("cga.cli.MainKt", listOf("run") + options.split(' '), home)
         val builder = ProcessBuilder(command).directory(directory.toFile()).redirectOutput(outFile).redirectError(errFile)
         builder.environment() += display.variables + ("LIBGL_ALWAYS_SOFTWARE" to "1")
         return builder.start()

@@ -4,6 +4,7 @@ import cga.framework.ColorFormat
 import cga.framework.RenderTarget
 import cga.testing.CgaProcess
 import cga.testing.Offscreen
+import cga.testing.withoutOpenGL
 import org.junit.jupiter.api.Assertions.assertEquals
 import org.junit.jupiter.api.Assertions.assertTrue
 import org.junit.jupiter.api.Assumptions.assumeTrue
@@ -12,7 +13,6 @@ import org.junit.jupiter.api.assertThrows
 import org.junit.jupiter.api.io.TempDir
 import org.lwjgl.opengl.GL33C.*
 import java.nio.file.Path
-import kotlin.io.path.createFile
 
 class OffscreenContextTest {
     private val isLinux = System.getProperty("os.name").startsWith("Linux")
@@ -52,22 +52,12 @@ class OffscreenContextTest {
         Offscreen.openOrSkip().close()
     }
 
-    // Empty files hide the libraries: the loader finds them first and cannot use them.
     @Test
     fun `without libraries every kind is named with its reason and its cure`(
         @TempDir folder: Path,
     ) {
         assumeTrue(isLinux)
-        for (library in listOf(
-            "libOSMesa.so",
-            "libOSMesa.so.6",
-            "libOSMesa.so.8",
-            "libEGL.so",
-            "libEGL.so.1",
-        )) {
-            folder.resolve(library).createFile()
-        }
-        val hidden = mapOf("LD_LIBRARY_PATH" to "$folder", "DISPLAY" to null, "WAYLAND_DISPLAY" to null)
+        val hidden = withoutOpenGL(folder)
         val process = CgaProcess.cga("render", "--size", "8x8", "--out", "none.png", directory = folder, env = hidden)
         assertEquals(2, process.exitCode, process.toString())
         val lines = process.err.lines()

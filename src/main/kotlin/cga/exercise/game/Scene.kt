@@ -74,7 +74,6 @@ public class Scene(
 
     init {
         lights.switchTo(step)
-        place()
     }
 
     /** Draws the scene into the framebuffer that is bound. */
@@ -164,16 +163,12 @@ public class Scene(
 
     /** Brings matrices and colours up to the present time and input. */
     private fun prepare() {
-        place()
+        motorcycle.setLocalModelMatrix(ride.place(matrix))
+        camera.setLocalModelMatrix(orbit.place(step.turnsWithMouse, matrix))
         camera.aspect = window.framebufferWidth.toFloat() / window.framebufferHeight
         camera.calculateViewMatrix(view)
         if (step.color) colorAt(time, motorcycleTint) else motorcycleTint.set(1f)
         lights.setMotorcycleColor(motorcycleTint)
-    }
-
-    private fun place() {
-        motorcycle.setLocalModelMatrix(ride.place(matrix))
-        camera.setLocalModelMatrix(orbit.place(step.turnsWithMouse, matrix))
     }
 
     private fun groundTint(): Vector3fc = if (step.color) GREEN else WHITE

@@ -1,9 +1,11 @@
 package cga.framework.context
 
+import cga.framework.InputError
 import org.lwjgl.PointerBuffer
 import org.lwjgl.glfw.GLFW.*
 import org.lwjgl.system.MemoryStack
 import org.lwjgl.system.MemoryUtil
+import org.lwjgl.system.MemoryUtil.NULL
 
 /** GLFW's start, stop and errors, in one place: it is one library a process, on one platform at a time. */
 internal object Glfw {
@@ -32,10 +34,26 @@ internal object Glfw {
         glfwWindowHint(GLFW_OPENGL_PROFILE, GLFW_OPENGL_CORE_PROFILE)
     }
 
-    /** Makes [window]'s context current and loads its functions through GLFW's own look-up, which fits every platform. */
-    fun makeCurrent(window: Long) {
+    /**
+     * A window made by the hints given before, its context current and its functions loaded through GLFW's own look-up, which fits every
+     * platform. Where it cannot be made GLFW is stopped, and what [refusal] makes of the reason is thrown.
+     */
+    fun openWindow(
+        width: Int,
+        height: Int,
+        title: String,
+        monitor: Long,
+        refusal: (reason: String) -> InputError,
+    ): Long {
+        val window = glfwCreateWindow(width, height, title, monitor, NULL)
+        if (window == NULL) {
+            val reason = lastError()
+            glfwTerminate()
+            throw refusal(reason)
+        }
         glfwMakeContextCurrent(window)
         GlFunctions.load { name -> glfwGetProcAddress(name) }
+        return window
     }
 
     /** Destroys [window] and stops GLFW. */

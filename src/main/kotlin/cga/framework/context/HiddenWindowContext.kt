@@ -15,13 +15,10 @@ internal class HiddenWindowContext : OffscreenContext {
         Glfw.hintCoreProfile()
         glfwWindowHint(GLFW_VISIBLE, GLFW_FALSE)
         glfwWindowHint(GLFW_OPENGL_FORWARD_COMPAT, GLFW_TRUE)
-        window = glfwCreateWindow(1, 1, "", NULL, NULL)
-        if (window == NULL) {
-            val refusal = Glfw.lastError()
-            glfwTerminate()
-            throw ContextUnavailable("window: $refusal. Install the driver (Debian or Ubuntu: apt-get install libgl1 libgl1-mesa-dri).")
-        }
-        Glfw.makeCurrent(window)
+        window =
+            Glfw.openWindow(1, 1, "", NULL) { refusal ->
+                ContextUnavailable("window: $refusal. Install the driver (Debian or Ubuntu: apt-get install libgl1 libgl1-mesa-dri).")
+            }
     }
 
     override fun close(): Unit = Glfw.stop(window)

@@ -12,13 +12,10 @@ internal class OsMesaContext : OffscreenContext {
         Glfw.start(GLFW_PLATFORM_NULL)?.let { throw ContextUnavailable("osmesa: GLFW's null platform did not start: $it.") }
         Glfw.hintCoreProfile()
         glfwWindowHint(GLFW_CONTEXT_CREATION_API, GLFW_OSMESA_CONTEXT_API)
-        window = glfwCreateWindow(1, 1, "", NULL, NULL)
-        if (window == NULL) {
-            val reason = Glfw.lastError()
-            glfwTerminate()
-            throw ContextUnavailable("osmesa: $reason. On Debian or Ubuntu: apt-get install libosmesa6 (Mesa before 25.1 has it).")
-        }
-        Glfw.makeCurrent(window)
+        window =
+            Glfw.openWindow(1, 1, "", NULL) { reason ->
+                ContextUnavailable("osmesa: $reason. On Debian or Ubuntu: apt-get install libosmesa6 (Mesa before 25.1 has it).")
+            }
     }
 
     override fun close(): Unit = Glfw.stop(window)

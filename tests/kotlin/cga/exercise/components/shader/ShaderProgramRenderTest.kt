@@ -142,6 +142,36 @@ class ShaderProgramRenderTest {
     }
 
     @Test
+    fun `members of structs that are declared and not used are passed over, misspelt ones and indices beyond the end are not`() {
+        val warnings = mutableListOf<String>()
+        vertex.writeText(VERTEX)
+        fragment.writeText(
+            fragment(
+                "vec4(used[1].color, 1)",
+                "struct L { vec3 position; vec3 color; };\nuniform L idle[2];\nuniform L used[2];",
+            ),
+        )
+        val program =
+            object : ShaderProgram("$vertex", "$fragment") {
+                override fun warn(message: String) {
+                    warnings += message
+                }
+            }
+        program.use()
+        for (name in listOf(
+            "idle[0].position",
+            "idle[1].color",
+            "used[0].position",
+            "used[1].position",
+        )) {
+            program.setUniform(name, Vector3f())
+        }
+        assertEquals(emptyList<String>(), warnings)
+        for (name in listOf("idle[0].positon", "used[2].color", "other[0].color")) program.setUniform(name, Vector3f())
+        assertEquals(listOf("idle[0].positon", "used[2].color", "other[0].color"), warnings.map { it.split(' ')[2] })
+    }
+
+    @Test
     fun `constants take the place of the numbers in the files, and the compiler's lines stay`() {
         val source = fragment("vec4(N == 3 ? 1 : 0, MORE == 1 ? 1 : 0, 0, 1)", "const int N = 12;\nconst int MORE = 1;")
         vertex.writeText(VERTEX)

@@ -5,7 +5,7 @@ import cga.framework.image.ImageData
 import cga.framework.model.MaterialData
 import cga.framework.model.MeshData
 import cga.framework.model.ModelFile
-import org.joml.Matrix3f
+import org.joml.Matrix4d
 import org.joml.Vector3f
 import org.joml.Vector3fc
 import org.lwjgl.opengl.GL33C.*
@@ -27,7 +27,7 @@ public object ModelLoader {
         yaw: Float = 0f,
         roll: Float = 0f,
     ): Renderable {
-        val turn = Matrix3f().rotateXYZ(pitch, yaw, roll)
+        val turn = Matrix4d().rotationOf(pitch, yaw, roll)
         val textures = HashMap<String, Texture2D>()
         return Renderable(
             ModelFile.read(path).meshes.map { Mesh(turned(it.vertices, turn), it.indices, LAYOUT, material(it.material, textures)) },
@@ -36,12 +36,12 @@ public object ModelLoader {
 
     private fun turned(
         vertices: FloatArray,
-        turn: Matrix3f,
+        turn: Matrix4d,
     ): FloatArray {
         val vector = Vector3f()
         for (vertex in vertices.indices step MeshData.FLOATS_PER_VERTEX) {
             for (at in intArrayOf(vertex, vertex + 5)) {
-                turn.transform(vector.set(vertices[at], vertices[at + 1], vertices[at + 2]))
+                turn.transformDirection(vector.set(vertices[at], vertices[at + 1], vertices[at + 2]))
                 vertices[at] = vector.x
                 vertices[at + 1] = vector.y
                 vertices[at + 2] = vector.z

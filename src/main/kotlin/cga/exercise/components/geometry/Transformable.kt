@@ -3,7 +3,6 @@ package cga.exercise.components.geometry
 import org.joml.Matrix4d
 import org.joml.Matrix4f
 import org.joml.Matrix4fc
-import org.joml.Vector3d
 import org.joml.Vector3f
 import org.joml.Vector3fc
 
@@ -11,8 +10,8 @@ import org.joml.Vector3fc
  * Something that has a place: a model matrix relative to a parent, or to the world when it has none.
  *
  * Angles are in radians; pitch, yaw and roll turn about x, y and z, in that order. Getters return copies; those with a `dest` fill and
- * return it, and allocate nothing. Matrices are multiplied in double precision and rounded once: JOML's float rotations are off by up
- * to 2e-4 near right angles, and a long chain of parents would round at every link. Numbers that are not finite are an
+ * return it, and allocate nothing. Matrices are multiplied in double precision and rounded once: a long chain of parents would else
+ * round at every link. Numbers that are not finite are an
  * [IllegalArgumentException].
  *
  * Not for use by several threads at once.
@@ -26,6 +25,7 @@ public open class Transformable(
 ) {
     private val modelMatrix = Matrix4f(checked(modelMatrix))
     private val scratch = Matrix4d()
+    private val turn = Matrix4d()
 
     /** Whose space this lives in. Throws [IllegalArgumentException] when that would make this its own ancestor. */
     public var parent: Transformable? = parent
@@ -43,7 +43,7 @@ public open class Transformable(
         roll: Float,
     ) {
         requireFinite(pitch, yaw, roll)
-        modelMatrix.set(scratch.set(modelMatrix).rotateXYZ(pitch.toDouble(), yaw.toDouble(), roll.toDouble()))
+        modelMatrix.set(scratch.set(modelMatrix).mul(turn.rotationOf(pitch, yaw, roll)))
     }
 
     /** Turns about axes parallel to the parent's, through [altMidpoint] in the parent's space. */
@@ -55,11 +55,10 @@ public open class Transformable(
     ) {
         requireFinite(pitch, yaw, roll)
         requireFinite(altMidpoint)
-        val turn =
-            Matrix4d()
-                .translate(altMidpoint)
-                .rotateXYZ(pitch.toDouble(), yaw.toDouble(), roll.toDouble())
-                .translate(Vector3d(altMidpoint).negate())
+        val x = altMidpoint.x.toDouble()
+        val y = altMidpoint.y.toDouble()
+        val z = altMidpoint.z.toDouble()
+        turn.rotationOf(pitch, yaw, roll).translateLocal(x, y, z).translate(-x, -y, -z)
         modelMatrix.set(turn.mul(scratch.set(modelMatrix)))
     }
 

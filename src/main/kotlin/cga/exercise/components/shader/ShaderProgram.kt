@@ -131,14 +131,17 @@ public open class ShaderProgram(
     private fun find(name: String): Location {
         val found = Location(glGetUniformLocation(program, name))
         locations[name] = found
-        if (found.value < 0 && !declares(name)) warn(UniformNames.unknown(name, UniformNames.of(program), "$vertexPath + $fragmentPath"))
+        if (found.value < 0) warnIfUnknown(name, UniformNames.of(program))
         return found
     }
 
     // A uniform that the shaders declare and this variant of them does not need (no lights, no normals) is no mistake.
-    private fun declares(name: String): Boolean {
-        val declaration = Regex("""\buniform\s+\w+\s+${Regex.escape(name)}\s*;""")
-        return declaration.containsMatchIn(vertex.text) || declaration.containsMatchIn(fragment.text)
+    private fun warnIfUnknown(
+        name: String,
+        known: List<String>,
+    ) {
+        if (UniformNames.isDeclared(name, known, vertex.text) || UniformNames.isDeclared(name, known, fragment.text)) return
+        warn(UniformNames.unknown(name, known, "$vertexPath + $fragmentPath"))
     }
 
     // An object of our own: a boxed Int would be allocated at every look-up of a location beyond 127.

@@ -12,6 +12,28 @@ internal object UniformNames {
         return List(glGetProgrami(program, GL_ACTIVE_UNIFORMS)) { glGetActiveUniform(program, it, size, type) }
     }
 
+    /**
+     * Whether the shader [source] declares [name], though the program has no use for it: a plain uniform, or a member of a struct or of an
+     * array of them. Where the program [known] to use these names uses the same one at another index, this index is too large.
+     */
+    fun isDeclared(
+        name: String,
+        known: List<String>,
+        source: String,
+    ): Boolean {
+        val path = withoutIndices(name).split('.')
+
+        fun declares(
+            type: String,
+            variable: String,
+        ) = Regex("""\b$type\s+${Regex.escape(variable)}\s*(\[[^]]*])?\s*;""").containsMatchIn(source)
+        return known.none { withoutIndices(it) == withoutIndices(name) } &&
+            declares("""uniform\s+\w+""", path.first()) &&
+            path.drop(1).all { declares("""\w+""", it) }
+    }
+
+    private fun withoutIndices(name: String) = name.replace(Regex("""\[\d+]"""), "")
+
     fun unknown(
         name: String,
         known: List<String>,

@@ -25,6 +25,8 @@ dependencies {
     implementation(libs.joml)
     implementation(libs.clikt)
     implementation(libs.mordant)
+    implementation(libs.kotlinx.serialization.json)
+    implementation(libs.kotlinx.html)
 
     // EGL has none: it is part of the graphics driver.
     for (platform in nativePlatforms) {

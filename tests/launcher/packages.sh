@@ -39,13 +39,15 @@ cga render
 check 'a Debian that has dropped OSMesa gets EGL' installs 'libegl1 libgl1-mesa-dri$'
 rm "$sandbox/home/unknown-packages"
 
-for command in 'render --context egl' 'render --context=window' 'render --help' 'doctor'; do
+for command in 'render --context egl' 'render --context=window' 'render --context reference' 'render --context=reference' 'render --help' 'doctor'; do
     # shellcheck disable=SC2086 # a list of arguments
     cga $command
     check "'$command' installs nothing" not called apt-get
 done
 cga render --context osmesa
 check 'who asks for OSMesa gets it' installs libosmesa6
+cga golden
+check 'the goldens need it too' installs libosmesa6
 
 cga run
 check 'run without a display renders, so it needs OSMesa' installs libosmesa6

@@ -4,6 +4,7 @@ import cga.framework.InputError
 import com.github.ajalt.clikt.core.CliktCommand
 import com.github.ajalt.clikt.core.CliktError
 import com.github.ajalt.clikt.core.NoOpCliktCommand
+import com.github.ajalt.clikt.core.ProgramResult
 import com.github.ajalt.clikt.core.parse
 import com.github.ajalt.clikt.core.subcommands
 import org.lwjgl.system.Configuration
@@ -23,7 +24,9 @@ public fun main(args: Array<String>) {
     exitProcess(execute(cga(), args.toList()))
 }
 
-private fun cga(): CliktCommand = NoOpCliktCommand("cga").subcommands(RunCommand(), RenderCommand(), DoctorCommand(), BenchCommand())
+private fun cga(): CliktCommand =
+    NoOpCliktCommand("cga")
+        .subcommands(RunCommand(), RenderCommand(), DiffCommand(), GoldenCommand(), DoctorCommand(), BenchCommand())
 
 private fun execute(
     command: CliktCommand,
@@ -32,6 +35,9 @@ private fun execute(
     try {
         command.parse(args)
         0
+    } catch (e: ProgramResult) {
+        // A command's own answer, not an error in how it was asked.
+        e.statusCode
     } catch (e: CliktError) {
         command.echoFormattedHelp(e)
         // Help that was asked for is no error; help instead of a command is.

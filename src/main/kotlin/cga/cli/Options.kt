@@ -35,6 +35,12 @@ internal fun ParameterHolder.contextOption(): OptionWithValues<ContextKind?, Con
     option("--context", help = "Where OpenGL comes from. Default: the first that works")
         .choice(ContextKind.entries.associateBy { it.name.lowercase() })
 
+/** The same for a command that can do without OpenGL. */
+internal fun ParameterHolder.rendererOption(): OptionWithValues<Renderer, Renderer, Renderer> =
+    option("--context", help = "Where OpenGL comes from; reference: shade on the CPU, in double precision. Default: the first that works")
+        .choice(ContextKind.entries.associate { it.name.lowercase() to Renderer.OpenGL(it) } + ("reference" to Renderer.Reference))
+        .default(Renderer.OpenGL(null))
+
 /** Throws a usage error unless [ok]. */
 internal fun requireUsage(
     ok: Boolean,

@@ -2,12 +2,11 @@ package cga.cli
 
 import cga.exercise.game.DriveScript
 import cga.exercise.game.ScriptedScene
+import cga.exercise.game.ScriptedScene.Companion.PRETTY_TIME
 import cga.exercise.game.Step
 import cga.framework.AtomicFile
 import cga.framework.ColorFormat
-import cga.framework.RenderTarget
 import cga.framework.SpecularModel
-import cga.framework.context.OffscreenContext
 import cga.framework.image.ExrFile
 import cga.framework.image.PngFile
 import com.github.ajalt.clikt.core.CliktCommand
@@ -21,13 +20,6 @@ import com.github.ajalt.clikt.parameters.types.double
 import com.github.ajalt.clikt.parameters.types.float
 import com.github.ajalt.clikt.parameters.types.int
 import com.github.ajalt.clikt.parameters.types.path
-import com.github.ajalt.mordant.animation.progress.animateOnThread
-import com.github.ajalt.mordant.animation.progress.execute
-import com.github.ajalt.mordant.widgets.progress.completed
-import com.github.ajalt.mordant.widgets.progress.progressBar
-import com.github.ajalt.mordant.widgets.progress.progressBarLayout
-import com.github.ajalt.mordant.widgets.progress.text
-import com.github.ajalt.mordant.widgets.progress.timeRemaining
 import java.nio.file.Path
 import java.util.concurrent.CompletableFuture
 import java.util.concurrent.CompletionException
@@ -55,7 +47,7 @@ internal class RenderCommand : CliktCommand("render") {
     private val out by option("--out", metavar = "FILE.png", help = "The picture. Default: motorcycle.png, unless --float is given")
         .path()
     private val float by option("--float", metavar = "FILE.exr", help = "The unclamped picture as OpenEXR, RGBA32F").path()
-    private val context by contextOption()
+    private val renderer by rendererOption()
     private val frames by option("--frames", metavar = "N", help = "Render a sequence FILE-0001.png, FILE-0002.png, …").int().default(1)
     private val fps by option("--fps", metavar = "F", help = "Frames a second of the sequence. Default: 60").double().default(60.0)
 
@@ -65,11 +57,14 @@ internal class RenderCommand : CliktCommand("render") {
         listOfNotNull(png, float).forEach(AtomicFile::checkWritable)
         // The scene needs no OpenGL to be read, so that happens while the driver starts.
         val reading = CompletableFuture.supplyAsync { ScriptedScene(size.width, size.height, step, drive) }
-        OffscreenContext.open(context).use {
-            val format = if (float == null) ColorFormat.RGBA8 else ColorFormat.RGBA32F
-            RenderTarget(size.width, size.height, samples, format).use { target -> render(reading.result(), target, png) }
-        }
+        canvas().use { render(reading.result(), it, png) }
     }
+
+    private fun canvas(): Canvas =
+        when (val renderer = renderer) {
+            is Renderer.OpenGL -> OpenGLCanvas(renderer.kind, size, samples, if (float == null) ColorFormat.RGBA8 else ColorFormat.RGBA32F)
+            Renderer.Reference -> ReferenceCanvas(size, GRIDS.getValue(samples))
+        }
 
     private fun checkUsage() {
         requireUsage(time.let { it == null || (it.isFinite() && it >= 0) }) { "--t $time: the time must be finite and not negative" }
@@ -79,6 +74,9 @@ internal class RenderCommand : CliktCommand("render") {
         requireUsage(fps.isFinite() && fps > 0) { "--fps $fps: must be finite and greater than 0" }
         requireUsage((startTime() + (frames - 1) / fps).isFinite()) { "--fps $fps: the last frame's time would be infinite" }
         requireUsage(samples >= 0) { "--samples $samples: must not be negative" }
+        requireUsage(renderer != Renderer.Reference || samples in GRIDS) {
+            "--samples $samples: the reference takes ${GRIDS.keys.joinToString()} samples a pixel"
+        }
         if (mouse != 0.0 && !step.turnsWithMouse) echo("note: --mouse has no effect before step ${Step.ORBIT.sheet}", err = true)
     }
 
@@ -91,47 +89,34 @@ internal class RenderCommand : CliktCommand("render") {
 
     private fun render(
         player: ScriptedScene,
-        target: RenderTarget,
+        canvas: Canvas,
         png: Path?,
     ) {
         specular?.let { player.scene.specularModel = it }
         player.scene.gamma = gamma
-        if (frames == 1) picture(player, target, 0, png) else sequence(player, target, png)
+        if (frames == 1) picture(player, canvas, 0, png) else sequence(player, canvas, png)
         player.scene.cleanup()
     }
 
     private fun sequence(
         player: ScriptedScene,
-        target: RenderTarget,
+        canvas: Canvas,
         png: Path?,
     ) {
-        val progress =
-            progressBarLayout {
-                text("rendering")
-                progressBar()
-                completed()
-                timeRemaining()
-            }.animateOnThread(terminal, total = frames.toLong())
-        val drawing = progress.execute()
-        for (frame in 0 until frames) {
-            picture(player, target, frame, png)
-            progress.update { completed = frame + 1L }
-        }
-        drawing.get()
+        (0 until frames).toList().mapWithProgress(terminal, "rendering") { frame -> picture(player, canvas, frame, png) }
     }
 
     private fun picture(
         player: ScriptedScene,
-        target: RenderTarget,
+        canvas: Canvas,
         frame: Int,
         png: Path?,
     ) {
         player.moveMouseTo(if (frames == 1) mouse else mouse * (frame / (frames - 1.0)))
         player.advanceTo(startTime() + frame / fps)
-        target.bind()
-        player.scene.render()
-        png?.let { PngFile.write(target.read(), numbered(it, frame)) }
-        float?.let { ExrFile.write(target.readFloats(), numbered(it, frame)) }
+        canvas.draw(player.scene)
+        png?.let { PngFile.write(canvas.read(), numbered(it, frame)) }
+        float?.let { ExrFile.write(canvas.readFloats(), numbered(it, frame)) }
     }
 
     /** One clock for everything: a script plays from 0, so its single picture is its end, and its sequence starts at 0. */
@@ -152,10 +137,11 @@ internal class RenderCommand : CliktCommand("render") {
         return file.resolveSibling("$stem-%04d".format(frame + 1) + name.removePrefix(stem))
     }
 
-    internal companion object {
-        /** A time at which the motorcycle has a saturated colour; at 0 it would be black. */
-        const val PRETTY_TIME = 5.3
-        private const val MAX_FRAMES = 9999
-        private const val MIN_GAMMA = 0.01f
+    private companion object {
+        const val MAX_FRAMES = 9999
+        const val MIN_GAMMA = 0.01f
+
+        /** What --samples means to the reference: so many in a row and in a column. */
+        val GRIDS = mapOf(0 to 1, 4 to 2, 16 to 4)
     }
 }

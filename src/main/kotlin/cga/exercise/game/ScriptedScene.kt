@@ -44,7 +44,9 @@ public class ScriptedScene(
         scene.onMouseMove(pixels, 0.0)
     }
 
-    private companion object {
-        const val UPDATE_STEP = 1.0 / 120
+    public companion object {
+        /** A time, in seconds, at which the motorcycle has a saturated colour; at 0 it is black. */
+        public const val PRETTY_TIME: Double = 5.3
+        private const val UPDATE_STEP = 1.0 / 120
     }
 }

@@ -18,3 +18,13 @@ montage -background '#111' -fill '#ddd' -pointsize 15 \
     -label '4.4 colour' "$strip/4.4.png" -label '4.5 orbit' "$strip/4.5.png" \
     -label '4.6 corner lights' "$strip/4.6.png" -label '4.7 Blinn-Phong' "$strip/4.7.png" \
     -tile 4x2 -geometry +4+4 -strip steps.png
+
+# A case of the golden report: highlights that are too wide. Needs Chromium.
+home=$strip/home
+mkdir -p "$home/tests"
+cp -R ../../shaders ../../assets "$home"
+cp -R ../../tests/golden "$home/tests"
+sed -i 's/material.shininess)/0.5 * material.shininess)/' "$home/shaders/scene.frag"
+java -Dcga.home="$home" -cp '../../build/cga/lib/*' cga.cli.MainKt golden --only step-4.6 --report "$strip/report.html" || [ $? = 1 ]
+chromium --headless --no-sandbox --hide-scrollbars --window-size=1240,1275 --screenshot="$strip/report.png" "file://$strip/report.html"
+convert "$strip/report.png" -strip -crop 1240x1005+0+250 +repage -resize 1000x report.png

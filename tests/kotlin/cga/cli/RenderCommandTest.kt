@@ -47,7 +47,7 @@ class RenderCommandTest {
         val floats = readExr("a.exr", 64, 36)
         assertEquals(64 to 36, picture.width to picture.height)
         for (i in floats.indices) {
-            // OpenGL 3.3, 2.1.6 rounds 255·f to an integer, nearest preferred; the product itself errs by a float's 2⁻²⁴ of 255.
+            // OpenGL 3.3, 2.1.5: an integer is made of 255·f, here the nearest; the product itself errs by a float's 2⁻²⁴ of 255.
             val error = abs(floats[i].coerceIn(0f, 1f) * 255.0 - (picture.rgba[i].toInt() and 0xFF))
             assertTrue(error <= 0.5 + 255.0 / (1 shl 24), "number $i: ${floats[i]} and ${picture.rgba[i].toInt() and 0xFF}")
         }

@@ -42,7 +42,7 @@ internal class GoldenCommand : CliktCommand("golden") {
     private val context by contextOption()
 
     init {
-        subcommands(GoldenAcceptCommand())
+        subcommands(GoldenAcceptCommand(), GoldenMutantsCommand())
     }
 
     override fun run() {

@@ -69,7 +69,8 @@ private fun FlowContent.filter(views: List<CaseView>) {
         choice("all", "all ${views.size}", isChosen = true)
         for (severity in Severity.entries.reversed()) {
             val count = views.count { it.case.severity == severity }
-            choice(severity.style, "${severity.sign} $count ${severity.word}", isChosen = false)
+            val words = if (severity == Severity.WARN && count != 1) "warnings" else severity.word
+            choice(severity.style, "${severity.sign} $count $words", isChosen = false)
         }
     }
 }

@@ -77,7 +77,7 @@ internal class Bound(
     ): String {
         val side = if (metric.higherIsBetter) "below the least" else "over the"
         val (found, allowed) = listOf(value, bound ?: value).map { metric.format(it, comparison) }
-        return "${metric.title} $found is $side allowed $allowed, ${metric.place(comparison)} (why so much: $reason; $machine)"
+        return "${metric.title} $found is $side allowed $allowed, ${metric.place(comparison)} (the bound: $reason; $machine)"
     }
 
     private companion object {

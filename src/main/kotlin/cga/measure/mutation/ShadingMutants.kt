@@ -1,0 +1,32 @@
+package cga.measure.mutation
+
+import org.joml.Vector3f
+
+private const val POWER = "pow(cosine, material.shininess)"
+private const val NORMAL = "normalMatrix * normal"
+private const val EMISSION = "emissive * emissiveTint"
+private const val ENCODED = "inverseGamma == 1.0 ? color : pow(max(color, 0.0), vec3(inverseGamma))"
+
+internal val SHADING_MUTANTS: List<Mutant> =
+    with(Part.SHADING) {
+        listOf(
+            fragment("specular power +5 %", POWER, "pow(cosine, 1.05 * material.shininess)"),
+            fragment("specular power −5 %", POWER, "pow(cosine, 0.95 * material.shininess)"),
+            fragment("specular light missing", POWER, "0.0"),
+            fragment("Phong and Blinn-Phong swapped", "cosine = blinnPhong", "cosine = !blinnPhong"),
+            fragment("half vector not normalised", "normalizeOrZero(toLight + toCamera)", "toLight + toCamera"),
+            fragment("reflected vector with the wrong sign", "reflect(-toLight, n)", "reflect(toLight, n)"),
+            fragment("view vector with the wrong sign", "normalizeOrZero(toCameraView)", "normalizeOrZero(-toCameraView)"),
+            fragment("normal not normalised", "normalizeOrZero(normalView)", "normalView"),
+            vertex("normal not transformed", NORMAL, "normal"),
+            vertex("normal transformed by the transpose", NORMAL, "normal * normalMatrix"),
+            vertex("normal transformed by mat3(modelView)", NORMAL, "mat3(modelView) * normal"),
+            fragment("surfaces lit from behind", "clamp(dot(a, b), 0.0, 1.0)", "abs(dot(a, b))"),
+            fragment("emission +5 %", EMISSION, "1.05 * $EMISSION"),
+            fragment("emission without its tint", EMISSION, "emissive"),
+            Mutant(this, "ambient light 0.01 added", beforeRender = { it.ambient = Vector3f(0.01f) }),
+            fragment("gamma where none is wanted", ENCODED, "pow(max(color, 0.0), vec3(inverseGamma / 2.2))"),
+            fragment("gamma applied twice", ENCODED, "pow(max(color, 0.0), vec3(inverseGamma * inverseGamma))"),
+            fragment("gamma missing", ENCODED, "color"),
+        )
+    }

@@ -27,6 +27,8 @@ dependencies {
     implementation(libs.mordant)
     implementation(libs.kotlinx.serialization.json)
     implementation(libs.kotlinx.html)
+    implementation(libs.xchart)
+    implementation(libs.vectorgraphics2d)
 
     // EGL has none: it is part of the graphics driver.
     for (platform in nativePlatforms) {

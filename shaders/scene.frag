@@ -6,6 +6,11 @@
 const int POINT_LIGHTS = 8;
 const int SPOT_LIGHTS = 2;
 const float MAX_FLOAT = 3.402823466e38;
+const float TWO_TO_66 = 73786976294838206464.0;
+// Where the formula's F is larger, a float could overflow on the way to the pixel.
+const float MAX_ATTENUATION = 1e18;
+// Of the sum of two opposite unit vectors nothing is left but their rounding, at most 16·2^-24; this is its square.
+const float NO_HALF_VECTOR = 1e-12;
 
 struct PointLight {
     vec3 position;     // view space
@@ -45,10 +50,18 @@ uniform SpotLight spotLight[max(SPOT_LIGHTS, 1)];
 
 out vec4 fragColor;
 
-// Where the vector is 0, so is every cosine with it: no light, instead of NaN.
+// Where the vector is 0, so is every cosine with it: no light, instead of NaN. The same where its square is beyond a float.
 vec3 normalizeOrZero(vec3 v) {
     float squared = dot(v, v);
-    return squared > 0.0 ? v * inversesqrt(squared) : vec3(0.0);
+    return squared > 0.0 && squared <= MAX_FLOAT ? v * inversesqrt(squared) : vec3(0.0);
+}
+
+// A normal whose square would overflow or vanish, brought nearer to 1 by a power of 2, which rounds nothing. The normal matrix of a model
+// scaled by 1e-13 along one axis and by 1e13 along another makes normals as short as 1e-26.
+vec3 inRange(vec3 normal) {
+    float largest = max(max(abs(normal.x), abs(normal.y)), abs(normal.z));
+    if (largest < 1e-15) return normal * TWO_TO_66;
+    return largest > 1e15 ? normal / TWO_TO_66 : normal;
 }
 
 float clampedCosine(vec3 a, vec3 b) {
@@ -59,7 +72,7 @@ float clampedCosine(vec3 a, vec3 b) {
 float attenuationFactor(vec3 toLight, vec3 k) {
     float squared = dot(toLight, toLight);
     if (!(squared > 0.0 && squared <= MAX_FLOAT)) return 0.0;
-    return 1.0 / (k.x + k.y * sqrt(squared) + k.z * squared);
+    return 1.0 / max(k.x + k.y * sqrt(squared) + k.z * squared, 1.0 / MAX_ATTENUATION);
 }
 
 // I, linear in cos θ. Versines, 1 - cos θ = |l - s|²/2, keep what cosines of narrow cones round away.
@@ -73,8 +86,9 @@ float coneIntensity(vec3 fromLight, vec3 direction, vec2 cone) {
 
 // max(cos β, 0)^k. pow(0, 0) is undefined in GLSL, so 0 is answered without asking.
 float specularFactor(vec3 n, vec3 toLight, vec3 toCamera) {
+    vec3 sum = toLight + toCamera;
     float cosine = blinnPhong
-        ? clampedCosine(n, normalizeOrZero(toLight + toCamera))
+        ? (dot(sum, sum) > NO_HALF_VECTOR ? clampedCosine(n, normalizeOrZero(sum)) : 0.0)
         : clampedCosine(reflect(-toLight, n), toCamera);
     return cosine > 0.0 ? pow(cosine, material.shininess) : 0.0;
 }
@@ -90,7 +104,7 @@ void main() {
     vec3 emissive = texture(material.emissive, surfaceTexCoord).rgb;
     vec3 diffuse = texture(material.diffuse, surfaceTexCoord).rgb;
     vec3 specular = texture(material.specular, surfaceTexCoord).rgb;
-    vec3 n = normalizeOrZero(normalView);
+    vec3 n = normalizeOrZero(inRange(normalView));
     vec3 toCamera = normalizeOrZero(toCameraView);
 
     vec3 color = emissive * emissiveTint + diffuse * ambient;

@@ -48,6 +48,8 @@ cga render --context osmesa
 check 'who asks for OSMesa gets it' installs libosmesa6
 cga golden
 check 'the goldens need it too' installs libosmesa6
+cga accuracy
+check 'and so does the accuracy report' installs libosmesa6
 
 cga run
 check 'run without a display renders, so it needs OSMesa' installs libosmesa6

@@ -4,12 +4,14 @@ import cga.framework.AtomicFile
 import cga.framework.image.PngFile
 import cga.imaging.BytePicture
 import cga.imaging.Comparison
-import cga.imaging.FloatPicture
 import cga.imaging.Picture
 import cga.imaging.PictureFile
 import cga.imaging.Pixel
 import cga.imaging.Severity
+import cga.imaging.figures
 import cga.imaging.tolerance.Tolerance
+import cga.imaging.values
+import cga.imaging.written
 import com.github.ajalt.clikt.core.CliktCommand
 import com.github.ajalt.clikt.core.Context
 import com.github.ajalt.clikt.core.ProgramResult
@@ -22,7 +24,6 @@ import com.github.ajalt.mordant.table.Borders
 import com.github.ajalt.mordant.table.table
 import java.nio.file.Files
 import java.nio.file.Path
-import java.util.Locale
 
 /** `cga diff`: how two pictures differ. It ends with 0 where that is allowed, with 1 where it is not. */
 internal class DiffCommand : CliktCommand("diff") {
@@ -67,35 +68,26 @@ internal class DiffCommand : CliktCommand("diff") {
     }
 
     private fun print(comparison: Comparison) {
-        val rows = figures(comparison)
         terminal.println(
             table {
                 whitespace = Whitespace.PRE_WRAP
                 cellBorders = Borders.LEFT_RIGHT
                 tableBorders = Borders.ALL
-                body { rows.forEach { (name, value) -> row(name, value) } }
+                column(0) { whitespace = Whitespace.PRE }
+                body { rows(comparison).forEach { (name, value) -> row(name, value) } }
             },
         )
     }
 
-    private fun figures(comparison: Comparison): List<Pair<String, String>> {
-        val expected = comparison.expected
-        val difference = comparison.difference
-        val worst = difference.worst ?: Pixel(0, 0)
-        val window = comparison.worstWindow(WINDOW)
-        return listOf(
-            "pictures" to expected.description(),
-            "largest difference" to difference.maximum.withIndex().joinToString { (i, value) -> "${"RGBA"[i]} ${expected.unit(value)}" },
-            "differing pixels" to "${difference.differing} of ${difference.pixels}, ${"%.4g".of(100 * difference.fraction)} %",
-            "RMSE" to "%.4g".of(difference.rmse),
-            "PSNR" to "${"%.2f".of(difference.psnr)} dB",
-            "worst ${window.size}x${window.size} window" to "mean ${"%.4g".of(window.error)} at ${window.corner.text()}",
-            "worst pixel" to worst.text(),
-            "  expected" to expected.value(worst),
-            "  actual" to comparison.actual.value(worst),
-            "ꟻLIP mean" to "%.6f".of(comparison.flip.mean),
-            "ꟻLIP 99th percentile" to "%.6f".of(comparison.flip.percentile(0.99)),
-        )
+    private fun rows(comparison: Comparison): List<Pair<String, String>> {
+        val worst = comparison.difference.worst ?: Pixel(0, 0)
+        val worstPixel =
+            listOf(
+                "Worst pixel" to "${worst.x}, ${worst.y}",
+                "  expected" to written(values(comparison.expected, worst)),
+                "  actual" to written(values(comparison.actual, worst)),
+            )
+        return listOf("Pictures" to comparison.expected.description()) + figures(comparison) + worstPixel
     }
 
     private fun Picture.description(): String {
@@ -103,29 +95,7 @@ internal class DiffCommand : CliktCommand("diff") {
         return "${width}x$height, $kind, ${if (hasAlpha) "RGBA" else "RGB"}"
     }
 
-    private fun Picture.unit(difference: Double): String =
-        when (this) {
-            is BytePicture -> "${Math.round(255 * difference)}/255"
-            is FloatPicture -> "%.4g".of(difference)
-        }
-
-    /** The channels of a pixel, as they are stored. */
-    private fun Picture.value(pixel: Pixel): String {
-        val at = 4 * (pixel.y * width + pixel.x)
-        return (0 until if (hasAlpha) 4 else 3).joinToString { c ->
-            when (this) {
-                is BytePicture -> "${image.rgba[at + c].toInt() and 0xFF}"
-                is FloatPicture -> "${image.rgba[at + c]}"
-            }
-        }
-    }
-
-    private fun Pixel.text() = "x $x, y $y"
-
-    private fun String.of(value: Number) = format(Locale.ROOT, value.toDouble())
-
     private companion object {
-        const val WINDOW = 16
         const val DIFFERENT = 1
     }
 }

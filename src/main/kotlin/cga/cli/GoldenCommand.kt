@@ -1,11 +1,13 @@
 package cga.cli
 
 import cga.framework.AtomicFile
-import cga.imaging.BytePicture
 import cga.imaging.Comparison
 import cga.imaging.Severity
+import cga.imaging.brief
 import cga.imaging.golden.Outcome
+import cga.imaging.percent
 import cga.imaging.report.HtmlReport
+import cga.imaging.step
 import cga.measure.golden.GoldenCase
 import cga.measure.golden.GoldenCases
 import cga.measure.golden.GoldenRenderer
@@ -25,7 +27,6 @@ import com.github.ajalt.clikt.parameters.options.required
 import com.github.ajalt.clikt.parameters.types.path
 import com.github.ajalt.mordant.table.Borders
 import com.github.ajalt.mordant.table.table
-import java.util.Locale
 
 /** Something is not as it was approved. */
 private const val EXIT_DIFFERENT = 1
@@ -124,20 +125,16 @@ internal class GoldenAcceptCommand : CliktCommand("accept") {
 }
 
 private val FIGURES = arrayOf("max", "differing", "window", "ꟻLIP mean")
-private const val WINDOW = 16
 
 /** The columns of [FIGURES]; what is equal has no figures, and of what was not compared nothing is known. */
 private fun figures(comparison: Comparison?): Array<String> {
     if (comparison == null || comparison.isIdentical) return Array(FIGURES.size) { if (comparison == null) "" else "0" }
-    val byte = comparison.expected is BytePicture
-
-    fun inUnit(value: Double) = if (byte) "%.4g/255".format(Locale.ROOT, value * 255) else "%.3g".format(Locale.ROOT, value)
     val difference = comparison.difference
     return arrayOf(
-        inUnit(difference.maximum.max()),
-        "%.3f %%".format(Locale.ROOT, 100 * difference.fraction),
-        inUnit(comparison.worstWindow(WINDOW).error),
-        "%.5f".format(Locale.ROOT, comparison.flip.mean),
+        step(difference.maximum.max(), comparison.expected),
+        percent(difference.fraction),
+        step(comparison.worstWindow(Comparison.WINDOW).error, comparison.expected),
+        brief(comparison.flip.mean),
     )
 }
 

@@ -26,7 +26,7 @@ public fun main(args: Array<String>) {
 
 private fun cga(): CliktCommand =
     NoOpCliktCommand("cga")
-        .subcommands(RunCommand(), RenderCommand(), DiffCommand(), GoldenCommand(), DoctorCommand(), BenchCommand())
+        .subcommands(RunCommand(), RenderCommand(), DiffCommand(), GoldenCommand(), DoctorCommand(), BenchCommand(), AccuracyCommand())
 
 private fun execute(
     command: CliktCommand,

@@ -10,6 +10,9 @@ public enum class ColorFormat(internal val gl: Int) {
     /** 8 bits a channel, clamped to 0..1: what a screen shows. */
     RGBA8(GL_RGBA8),
 
+    /** 16-bit floats, unclamped: half the memory of the next. */
+    RGBA16F(GL_RGBA16F),
+
     /** 32-bit floats, unclamped: for measuring. */
     RGBA32F(GL_RGBA32F),
 }

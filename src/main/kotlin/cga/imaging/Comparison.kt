@@ -21,4 +21,9 @@ public class Comparison(
 
     /** The worst window of [size]×[size] pixels. */
     public fun worstWindow(size: Int): Window = windows.getOrPut(size) { Window.worst(expected, actual, size) }
+
+    public companion object {
+        /** The side of the worst window that is reported, in pixels. */
+        public const val WINDOW: Int = 16
+    }
 }

@@ -96,7 +96,7 @@ class SameBytesRenderTest {
         val process = CgaProcess.java(StepDigests::class.java.name, listOf(kind.name), Path.of(""), env = mapOf(*env))
         if (process.exitCode == StepDigests.UNAVAILABLE) Offscreen.skip(process.err)
         assertEquals(0, process.exitCode, process.toString())
-        assertEquals(Step.entries.size * 4, process.out.trim().lines().size, process.toString())
+        assertEquals(Step.entries.size * ColorFormat.entries.size * 2, process.out.trim().lines().size, process.toString())
         return process.out.trim()
     }
 

@@ -39,7 +39,7 @@ class GoldenJudgeTest {
 
     @Test
     fun `on the same machine one step is too much`() {
-        assertSays(FAIL, judge.judge("case", drawn(101)), "max 1/255", "allowed 0/255", "tier exact")
+        assertSays(FAIL, judge.judge("case", drawn(101)), "max 1/255", "allowed 0,", "tier exact")
     }
 
     @Test
@@ -122,7 +122,7 @@ class GoldenJudgeTest {
         assertSays(PASS, judge.judge("case", drawn(100)))
         assertSays(PASS, judge.judge("case", drawn(150)))
         val other = LLVMPIPE.copy(driver = "Mesa 25.0.7")
-        assertSays(WARN, judge.judge("case", drawn(147, other)), "expected 150 150 150, actual 147 147 147")
+        assertSays(WARN, judge.judge("case", drawn(147, other)), "expected 150  150  150, actual 147  147  147")
         assertSays(FAIL, judge.judge("case", drawn(125, other)))
     }
 

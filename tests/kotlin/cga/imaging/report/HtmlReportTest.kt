@@ -6,6 +6,8 @@ import cga.imaging.Comparison
 import cga.imaging.FloatPicture
 import cga.imaging.Pixel
 import cga.imaging.Severity
+import cga.imaging.values
+import cga.imaging.written
 import org.junit.jupiter.api.Assertions.assertEquals
 import org.junit.jupiter.api.Assertions.assertFalse
 import org.junit.jupiter.api.Assertions.assertTrue

@@ -3,7 +3,11 @@ package cga.imaging.report
 import cga.imaging.BytePicture
 import cga.imaging.Comparison
 import cga.imaging.Severity
+import cga.imaging.change
+import cga.imaging.figures
 import cga.imaging.flip.FlipMap
+import cga.imaging.values
+import cga.imaging.written
 import kotlinx.html.FlowContent
 import kotlinx.html.bdi
 import kotlinx.html.dd

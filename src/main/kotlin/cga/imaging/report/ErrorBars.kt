@@ -3,6 +3,7 @@ package cga.imaging.report
 import cga.imaging.BytePicture
 import cga.imaging.Comparison
 import cga.imaging.FloatPicture
+import cga.imaging.channels
 import cga.imaging.flip.FlipMap
 import kotlin.math.abs
 

@@ -1,5 +1,7 @@
 package cga.imaging.report
 
+import cga.imaging.brief
+import cga.imaging.grouped
 import kotlinx.html.FlowContent
 import kotlinx.html.figcaption
 import kotlinx.html.figure

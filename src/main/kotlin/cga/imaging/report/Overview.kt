@@ -2,6 +2,9 @@ package cga.imaging.report
 
 import cga.imaging.Comparison
 import cga.imaging.Severity
+import cga.imaging.brief
+import cga.imaging.percent
+import cga.imaging.step
 import kotlinx.html.FlowContent
 import kotlinx.html.InputType
 import kotlinx.html.TBODY

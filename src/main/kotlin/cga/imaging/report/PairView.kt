@@ -42,7 +42,7 @@ internal class PairView(
 
     private val worstPixel: Pixel = checkNotNull(comparison.difference.worst) { "$name: pictures that differ have a worst pixel" }
     private val worstWindow: Region =
-        comparison.worstWindow(WINDOW).let {
+        comparison.worstWindow(Comparison.WINDOW).let {
             Region(it.corner.x, it.corner.y, minOf(it.size, expected.width), minOf(it.size, expected.height))
         }
 
@@ -54,7 +54,13 @@ internal class PairView(
 
     private fun zooms(): List<ZoomView> {
         val pixel = zoom("pixel", Region.of(worstPixel), "Worst pixel, at ${worstPixel.x}, ${worstPixel.y}", worstPixel)
-        val window = zoom("window", worstWindow, "Worst $WINDOW×$WINDOW window, at ${worstWindow.x}, ${worstWindow.y}", null)
+        val window =
+            zoom(
+                "window",
+                worstWindow,
+                "Worst ${Comparison.WINDOW}×${Comparison.WINDOW} window, at ${worstWindow.x}, ${worstWindow.y}",
+                null,
+            )
         return if (worstWindow in pixel.region) listOf(pixel) else listOf(pixel, window)
     }
 
@@ -82,7 +88,6 @@ internal class PairView(
 
     companion object {
         /** Width and height of the window that is looked for. */
-        const val WINDOW: Int = 16
         private const val ZOOM = 24
         private const val WHITE = 255
         private const val FLIP_STEPS = 63

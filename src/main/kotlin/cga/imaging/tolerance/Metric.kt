@@ -1,11 +1,12 @@
 package cga.imaging.tolerance
 
-import cga.imaging.BytePicture
 import cga.imaging.Comparison
-import cga.imaging.FloatPicture
-import cga.imaging.Picture
 import cga.imaging.Pixel
-import java.util.Locale
+import cga.imaging.brief
+import cga.imaging.percent
+import cga.imaging.step
+import cga.imaging.values
+import cga.imaging.written
 
 /**
  * One number that a tolerance can bound, computed only when it is asked for.
@@ -41,7 +42,7 @@ internal object Maximum : Metric("max") {
 internal object Differing : Metric("differing pixels") {
     override fun measure(comparison: Comparison): Double = comparison.difference.fraction
 
-    override fun format(value: Double, comparison: Comparison) = "${short(100 * value)} %"
+    override fun format(value: Double, comparison: Comparison) = percent(value)
 }
 
 internal object Rmse : Metric("rmse") {
@@ -53,7 +54,7 @@ internal object Rmse : Metric("rmse") {
 internal object Psnr : Metric("psnr", higherIsBetter = true) {
     override fun measure(comparison: Comparison): Double = comparison.difference.psnr
 
-    override fun format(value: Double, comparison: Comparison) = "${short(value)} dB"
+    override fun format(value: Double, comparison: Comparison) = "${brief(value)} dB"
 }
 
 /** The mean difference in the worst window of [size]×[size] pixels. */
@@ -68,47 +69,26 @@ internal class WorstWindow(private val size: Int) : Metric("worst ${size}x$size 
 internal object FlipMean : Metric("ꟻLIP mean") {
     override fun measure(comparison: Comparison): Double = comparison.flip.mean
 
-    override fun format(value: Double, comparison: Comparison) = short(value)
+    override fun format(value: Double, comparison: Comparison) = brief(value)
 }
 
 /** The ꟻLIP error that [percent] % of the pixels do not exceed. */
-internal class FlipPercentile(private val percent: Double) : Metric("ꟻLIP ${short(percent)}th percentile") {
+internal class FlipPercentile(private val percent: Double) : Metric("ꟻLIP ${brief(percent)}th percentile") {
     override fun measure(comparison: Comparison): Double = comparison.flip.percentile(percent / 100).toDouble()
 
-    override fun format(value: Double, comparison: Comparison) = short(value)
+    override fun format(value: Double, comparison: Comparison) = brief(value)
 }
 
-/** Four digits, without zeros that say nothing. */
-internal fun short(value: Double): String {
-    if (!value.isFinite()) return "$value"
-    val text = String.format(Locale.ROOT, "%.4g", value)
-    return if ('e' in text || '.' !in text) text else text.trimEnd('0').trimEnd('.')
-}
-
-/** A difference in 1/255 for 8-bit pictures, plainly for float ones. */
-internal fun inPictureUnit(
+/** A difference in the unit of the compared pictures. */
+private fun inPictureUnit(
     value: Double,
     comparison: Comparison,
-): String =
-    when (comparison.expected) {
-        is BytePicture -> "${short(value * 255)}/255"
-        is FloatPicture -> short(value)
-    }
+): String = step(value, comparison.expected)
 
 private fun describe(
     pixel: Pixel,
     comparison: Comparison,
-) = "(${pixel.x}, ${pixel.y}), expected ${color(comparison.expected, pixel)}, actual ${color(comparison.actual, pixel)}"
-
-private fun color(
-    picture: Picture,
-    pixel: Pixel,
 ): String {
-    val start = 4 * (pixel.y * picture.width + pixel.x)
-    return (start until start + if (picture.hasAlpha) 4 else 3).joinToString(" ") { i ->
-        when (picture) {
-            is BytePicture -> "${picture.image.rgba[i].toInt() and 0xFF}"
-            is FloatPicture -> short(picture.image.rgba[i].toDouble())
-        }
-    }
+    val (expected, actual) = listOf(comparison.expected, comparison.actual).map { written(values(it, pixel)) }
+    return "(${pixel.x}, ${pixel.y}), expected $expected, actual $actual"
 }

@@ -37,7 +37,7 @@ internal object ShaderFactors {
     ): Float {
         val squared = dot(toLight, toLight)
         if (!(squared > 0f && squared <= Float.MAX_VALUE)) return 0f
-        return 1f / (k.x() + k.y() * sqrt(squared) + k.z() * squared)
+        return 1f / maxOf(k.x() + k.y() * sqrt(squared) + k.z() * squared, 1f / MAX_ATTENUATION)
     }
 
     private fun normalizeOrZero(v: Vector3fc): Vector3f {
@@ -50,6 +50,8 @@ internal object ShaderFactors {
         a: Vector3fc,
         b: Vector3fc,
     ): Float = a.x() * b.x() + a.y() * b.y() + a.z() * b.z()
+
+    private const val MAX_ATTENUATION = 1e18f
 
     /** Stands where the shader stands and keeps what a spotlight sends. */
     private object Sent : ShaderProgram("shaders/scene.vert", "shaders/scene.frag") {

@@ -1,6 +1,6 @@
 package cga.measure.mutation
 
-private const val FALLOFF = "1.0 / (k.x + k.y * sqrt(squared) + k.z * squared)"
+private const val FALLOFF = "1.0 / max(k.x + k.y * sqrt(squared) + k.z * squared, 1.0 / MAX_ATTENUATION)"
 private const val CONE = "float width = cone.y - cone.x;"
 private const val SPOT_TERM = "reflected(n, toLight, toCamera, diffuse, specular, f * spotLight[i].color)"
 

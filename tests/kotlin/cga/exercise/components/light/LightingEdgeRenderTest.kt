@@ -428,27 +428,29 @@ class LightingEdgeRenderTest {
             val spot = light.toFrameSpotLight()
             val brightest = spot.light.color.get(spot.light.color.maxComponent())
             val d = spot.light.position.distance(Vector3d(surface.position))
-            val s = (surface.position.length() + spot.light.position.length()) / d
             // Diffuse and specular together reflect at most twice the light.
-            return 2 * attenuation(spot.light)(d) * brightest * coneBound(spot.outerAngle.toDouble(), spot.innerAngle.toDouble(), s)
+            return 2 * attenuation(spot.light)(d) * brightest * coneBound(spot.outerAngle.toDouble(), spot.innerAngle.toDouble())
         }
         val lights = points.map { it.toFrameLight() } + spots.map { it.toFrameLight() }
         return lights.sumOf(::term) + spots.sumOf(::coneTerm) + ULPS_OF_TWO_TERMS
     }
 
     /**
-     * The error of I = (V_outer − c²/2) / (V_outer − V_inner), where c = |l − s| ≤ outer matters. l errs by (7 + 2S)u as in [bound], s by
-     * u, so c²/2 by c·(8 + 2S)u and another 3u of itself, the versines by u of themselves.
+     * The error of I = (V_outer − c²/2) / (V_outer − V_inner), where c = |l − s| ≤ 2·sin(outer/2) matters.
+     *
+     * The precision of inversesqrt and of the squared length (11u/2) only changes how long l is, along l, and for a given direction
+     * |l − s|² = |l|² + |s|² − 2·l·s is at its smallest near length 1: such errors count squared, (3u + 7u)²/2. What turns l and s is the
+     * rounding of components: in light − position (both are exact here), in l and in s; each is a vector no longer than u. So c²/2 errs
+     * by 3u·c, and by 3u of itself for its squares and sums; the versines by u of themselves.
      */
     private fun coneBound(
         outer: Double,
         inner: Double = outer / 2,
-        s: Double = 1.0,
     ): Double {
         val largest = 2 * sin(outer / 2)
         val versine = largest * largest / 2
         val width = versine - 2 * sin(inner / 2) * sin(inner / 2)
-        return (largest * (8 + 2 * s) + 5 * versine) * U / width + 6 * U
+        return (3 * U * largest + 5 * U * versine + 50 * U * U) / width + 5 * U
     }
 
     private fun Random.vector(size: Double) = Vector3f(coordinate(size), coordinate(size), coordinate(size))

@@ -33,12 +33,12 @@ class ShaderProgramRenderTest {
     @Test
     fun `a compile error names file and line and shows the line`() {
         val source = projectRoot.resolve("shaders/scene.frag").readText()
-        val line = "vec3 n = normalizeOrZero(normalView);"
+        val line = "vec3 toCamera = normalizeOrZero(toCameraView);"
         val number = source.lines().indexOfFirst { it.trim() == line } + 1
-        fragment.writeText(source.replace(line, "vec3 n = normaliseOrZero(normalView);"))
+        fragment.writeText(source.replace(line, "vec3 toCamera = normaliseOrZero(toCameraView);"))
         val message = assertThrows<ShaderError> { ShaderProgram("shaders/scene.vert", "$fragment").use() }.message.orEmpty()
         assertTrue("$fragment:$number: " in message, message)
-        assertTrue("\n    vec3 n = normaliseOrZero(normalView);" in message, message)
+        assertTrue("\n    vec3 toCamera = normaliseOrZero(toCameraView);" in message, message)
         GLError.check("compiling a mistake")
     }
 

@@ -8,12 +8,13 @@ import org.joml.Matrix4dc
 import org.joml.Vector3d
 import org.joml.Vector3f
 import org.joml.Vector3fc
+import kotlin.math.abs
 
 /**
- * A light that shines evenly in every direction and fades with distance: F = 1 / (K_c + K_l·d + K_q·d²).
+ * A light that shines evenly in every direction and fades with distance: F = 1 / (K_c + K_l·d + K_q·d²), where that is at most 1e18.
  *
  * @param position where it starts, in world space (in the parent's space once it has a parent).
- * @param lightColor linear RGB, finite; may exceed 1.
+ * @param lightColor linear RGB, finite; may exceed 1, up to 1e18: what ten such lights add up to is still a float.
  * @param attenuation (K_c, K_l, K_q), finite, none negative, not all 0.
  * Values outside these ranges are an [IllegalArgumentException], here and when set later.
  */
@@ -34,7 +35,9 @@ public open class PointLight(
     public var lightColor: Vector3fc
         get() = color
         set(value) {
-            require(value.isFinite) { "light colour $value must be finite" }
+            require(value.isFinite && maxOf(abs(value.x()), abs(value.y()), abs(value.z())) <= LARGEST_COLOR) {
+                "light colour $value must be finite and not beyond $LARGEST_COLOR"
+            }
             color.set(value)
         }
 
@@ -92,5 +95,6 @@ public open class PointLight(
 
     private companion object {
         val IDENTITY: Matrix4dc = Matrix4d()
+        const val LARGEST_COLOR = 1e18f
     }
 }

@@ -1,9 +1,5 @@
-package cga.imaging.report
+package cga.imaging
 
-import cga.imaging.BytePicture
-import cga.imaging.FloatPicture
-import cga.imaging.Picture
-import cga.imaging.Pixel
 import java.math.BigDecimal
 import java.math.MathContext
 import java.util.Locale
@@ -17,14 +13,12 @@ internal fun grouped(number: Int): String = "%,d".format(Locale.ROOT, number)
 /** [value] to four digits that say something. */
 internal fun brief(value: Double): String {
     val size = abs(value)
-    val text =
-        when {
-            value == 0.0 -> "0"
-            value.isInfinite() -> if (value > 0) "∞" else "-∞"
-            size >= 1e4 || size < 1e-3 -> "%.2e".format(Locale.ROOT, value)
-            else -> BigDecimal(value).round(MathContext(4)).stripTrailingZeros().toPlainString()
-        }
-    return text.replace('-', '−')
+    return when {
+        value == 0.0 -> "0"
+        !value.isFinite() -> "$value"
+        size >= 1e4 || size < 1e-3 -> "%.2e".format(Locale.ROOT, value)
+        else -> BigDecimal(value).round(MathContext(4)).stripTrailingZeros().toPlainString()
+    }
 }
 
 /** [share] of 1 in per cent; never 0 or 100 where it is not. */
@@ -58,7 +52,7 @@ internal fun channels(picture: Picture): Int = if (picture.hasAlpha) 4 else 3
 internal val CHANNEL_NAMES: List<String> = listOf("red", "green", "blue", "alpha")
 
 /** [values] of one pixel in a row, each with as many digits as tell it from every other float. */
-internal fun written(values: List<Float>): String = values.joinToString("  ") { "$it".removeSuffix(".0").replace('-', '−') }
+internal fun written(values: List<Float>): String = values.joinToString("  ") { "$it".removeSuffix(".0") }
 
 /** By how much [found] is more than [wanted], number by number. */
 internal fun change(wanted: List<Float>, found: List<Float>): String =

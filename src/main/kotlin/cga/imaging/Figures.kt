@@ -1,12 +1,9 @@
-package cga.imaging.report
-
-import cga.imaging.BytePicture
-import cga.imaging.Comparison
+package cga.imaging
 
 /** What there is to say in numbers of two pictures that differ, as name and value. */
 internal fun figures(comparison: Comparison): List<Pair<String, String>> {
     val (difference, flip) = comparison.difference to comparison.flip
-    val window = comparison.worstWindow(PairView.WINDOW)
+    val window = comparison.worstWindow(Comparison.WINDOW)
     return listOf(
         "Pixels that differ" to "${grouped(difference.differing)} of ${grouped(difference.pixels)} (${percent(difference.fraction)})",
         "Largest difference" to

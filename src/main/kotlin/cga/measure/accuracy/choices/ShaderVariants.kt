@@ -1,0 +1,116 @@
+package cga.measure.accuracy.choices
+
+import cga.framework.Home
+import cga.framework.InputError
+import cga.measure.accuracy.choices.EditedHome.Companion.FRAGMENT
+import cga.measure.accuracy.choices.EditedHome.Companion.VERTEX
+import kotlin.math.sin
+
+/** The shaders written in other ways, as edits of the scene's own. */
+internal object ShaderVariants {
+    /** All textures at their largest level: no choice of mip levels, which OpenGL leaves to the driver. */
+    val firstLevel: List<ShaderEdit> =
+        listOf(
+            ShaderEdit(FRAGMENT, "= texture(material.", "= textureLod(material."),
+            ShaderEdit(FRAGMENT, ", surfaceTexCoord).rgb", ", surfaceTexCoord, 0.0).rgb"),
+        )
+
+    /** A plain grey surface without emission in the place of all textures, so that what is left is the error of the lighting. */
+    val plain: List<ShaderEdit> =
+        listOf("emissive" to 0, "diffuse" to Truth.GREY, "specular" to Truth.GREY).map { (texture, value) ->
+            ShaderEdit(FRAGMENT, "texture(material.$texture, surfaceTexCoord).rgb", "vec3($value.0 / 255.0)")
+        }
+
+    /** The vectors to the lights from the position of the fragment, instead of one interpolated vector for each light. */
+    val toLightPerFragment: List<ShaderEdit> =
+        listOf("Point" to "pointLight", "Spot" to "spotLight").flatMap { (kind, light) ->
+            listOf(
+                ShaderEdit(VERTEX, "out vec3 to${kind}LightView", "vec3 to${kind}LightView"),
+                ShaderEdit(FRAGMENT, "to${kind}LightView[i]", "($light[i].position + toCameraView)"),
+            )
+        }
+
+    /** As courses write it: cosines of the angles, sent as floats. */
+    val cosines: List<ShaderEdit> =
+        listOf(
+            ShaderEdit(
+                FRAGMENT,
+                """
+                |    vec3 chord = fromLight - direction;
+                |    float versine = 0.5 * dot(chord, chord);
+                |    float width = cone.y - cone.x;
+                |    if (width > 0.0) return clamp((cone.y - versine) / width, 0.0, 1.0);
+                |    return versine <= cone.y ? 1.0 : 0.0;
+                """.trimMargin(),
+                """
+                |    vec2 cosines = 1.0 - cone;
+                |    return clamp((dot(fromLight, direction) - cosines.y) / (cosines.x - cosines.y), 0.0, 1.0);
+                """.trimMargin(),
+            ),
+        )
+
+    /** A cone of other angles than the scene's. */
+    fun cone(cone: Cone): List<ShaderEdit> =
+        listOf(ShaderEdit(FRAGMENT, "spotLight[i].cone", "vec2(${versine(cone.inner)}, ${versine(cone.outer)})"))
+
+    /** Per-vertex lighting (Gouraud 1971): both sums over the lights are computed at the vertices and interpolated. */
+    fun lightPerVertex(): List<ShaderEdit> =
+        listOf(
+            ShaderEdit(VERTEX, "\nvoid main() {\n", "$VERTEX_DECLARATIONS\n${lightFunctions()}\nvoid main() {\n"),
+            ShaderEdit(VERTEX, "    gl_Position =", "$VERTEX_SUMS\n    gl_Position ="),
+            ShaderEdit(FRAGMENT, "\nvoid main() {\n", "\nin vec3 diffuseLight;\nin vec3 specularLight;\n\nvoid main() {\n"),
+            ShaderEdit(FRAGMENT, "i < POINT_LIGHTS", "i < 0"),
+            ShaderEdit(FRAGMENT, "i < SPOT_LIGHTS", "i < 0"),
+            ShaderEdit(FRAGMENT, "    fragColor =", "    color += diffuse * diffuseLight + specular * specularLight;\n    fragColor ="),
+        )
+
+    /** The fragment shader's constants and functions of one light. */
+    private fun lightFunctions(): String {
+        val source = Home.read("shaders/$FRAGMENT", "shader").decodeToString().replace("\r\n", "\n")
+        val start = source.indexOf("vec3 normalizeOrZero")
+        val end = source.indexOf("// The part of light")
+        if (start !in 0..end) throw InputError("shaders/$FRAGMENT has other functions than the accuracy report moves to the vertices.")
+        val constants = source.lines().filter { it.startsWith("const float ") }
+        return constants.joinToString("\n", postfix = "\n") + source.substring(start, end)
+    }
+
+    /** 1 − cos of degrees, as SpotLight computes it, as the float that it sends. */
+    private fun versine(degrees: Double): Float = (2 * sin(Math.toRadians(degrees) / 2).let { it * it }).toFloat()
+
+    private val VERTEX_DECLARATIONS =
+        """
+
+        struct Material { sampler2D emissive; sampler2D diffuse; sampler2D specular; float shininess; };
+        uniform Material material;
+        uniform bool blinnPhong;
+        out vec3 diffuseLight;
+        out vec3 specularLight;
+        """.trimIndent()
+
+    private val VERTEX_SUMS =
+        """
+        vec3 n = normalizeOrZero(inRange(normalView));
+        vec3 toCamera = normalizeOrZero(toCameraView);
+        diffuseLight = vec3(0.0);
+        specularLight = vec3(0.0);
+        for (int i = 0; i < POINT_LIGHTS; i++) {
+            vec3 l = normalizeOrZero(toPointLightView[i]);
+            vec3 light = attenuationFactor(toPointLightView[i], pointLight[i].attenuation) * pointLight[i].color;
+            diffuseLight += clampedCosine(n, l) * light;
+            specularLight += specularFactor(n, l, toCamera) * light;
+        }
+        for (int i = 0; i < SPOT_LIGHTS; i++) {
+            vec3 l = normalizeOrZero(toSpotLightView[i]);
+            vec3 light = attenuationFactor(toSpotLightView[i], spotLight[i].attenuation) * spotLight[i].color
+                * coneIntensity(-l, spotLight[i].direction, spotLight[i].cone);
+            diffuseLight += clampedCosine(n, l) * light;
+            specularLight += specularFactor(n, l, toCamera) * light;
+        }
+        """.trimIndent().prependIndent("    ")
+}
+
+/** A cone by its angles from the axis, degrees. */
+internal data class Cone(
+    val inner: Double,
+    val outer: Double,
+)

@@ -26,7 +26,8 @@ public fun main(args: Array<String>) {
 
 private fun cga(): CliktCommand =
     NoOpCliktCommand("cga")
-        .subcommands(RunCommand(), RenderCommand(), DiffCommand(), GoldenCommand(), DoctorCommand(), BenchCommand(), AccuracyCommand())
+        .subcommands(RunCommand(), RenderCommand(), DiffCommand(), GoldenCommand(), DoctorCommand())
+        .subcommands(BenchCommand(), AccuracyCommand(), SoakCommand())
 
 private fun execute(
     command: CliktCommand,

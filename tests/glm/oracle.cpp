@@ -1,6 +1,6 @@
 // The matrices and light factors of the exercise, computed by GLM: the oracle that our Kotlin is compared with.
 //
-//     g++ -std=c++17 -ffp-contract=off -o /tmp/oracle tests/glm/oracle.cpp && /tmp/oracle > tests/glm/oracle.txt
+//     g++ -std=c++17 -ffp-contract=off -o build/oracle tests/glm/oracle.cpp && build/oracle > tests/glm/oracle.txt
 //
 // Every operation is written once and computed in three precisions: long double is the truth, double and float are GLM's
 // figures for it. The output has one line a case: operation; kind of case; inputs; long double (rounded to double); double; float.

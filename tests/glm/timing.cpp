@@ -1,6 +1,6 @@
 // How long GLM takes for some of the oracle's operations: one line each, operation;precision;nanoseconds.
 //
-//     g++ -std=c++17 -O3 -ffp-contract=off -o /tmp/timing tests/glm/timing.cpp && /tmp/timing
+//     g++ -std=c++17 -O3 -ffp-contract=off -o build/timing tests/glm/timing.cpp && build/timing
 //
 // It is time of the processor, and as on the other side that of an operation includes reading its inputs and storing its result.
 

@@ -2,9 +2,9 @@ package cga.cli
 
 import cga.framework.Home
 import cga.framework.InputError
+import cga.measure.MarkedDocument
 import cga.measure.accuracy.choices.AccuracySettings
 import cga.measure.accuracy.choices.AccuracyTables
-import cga.measure.accuracy.choices.MarkedDocument
 import cga.measure.accuracy.choices.Measurement
 import cga.measure.accuracy.choices.PictureSize
 import com.github.ajalt.clikt.core.CliktCommand

@@ -2,10 +2,10 @@ package cga.cli
 
 import cga.framework.AtomicFile
 import cga.framework.Home
-import cga.framework.InputError
 import cga.framework.context.OffscreenContext
 import cga.imaging.golden.GoldenStore
 import cga.imaging.tolerance.Tolerance
+import cga.measure.MarkedDocument
 import cga.measure.golden.GoldenCases
 import cga.measure.golden.GoldenRun
 import cga.measure.mutation.MutantRun
@@ -19,9 +19,6 @@ import com.github.ajalt.clikt.core.terminal
 import com.github.ajalt.clikt.parameters.options.default
 import com.github.ajalt.clikt.parameters.options.option
 import com.github.ajalt.clikt.parameters.types.path
-import java.nio.file.Files
-import java.nio.file.Path
-import kotlin.io.path.readText
 import kotlin.io.path.writeText
 
 /** `cga golden mutants`: which defects the compare finds, and whether it lets sound renderers pass. */
@@ -45,10 +42,10 @@ internal class GoldenMutantsCommand : CliktCommand("mutants") {
 
     override fun run() {
         figures?.let(AtomicFile::checkWritable)
-        val page = doc?.let(::Page)
+        val page = doc?.let(MarkedDocument::read)?.also { it.require(MARKER) }
         val report = OffscreenContext.open().use { measure() }
         figures?.let { file -> AtomicFile.write(file) { it.writeText(report.csv()) } }
-        if (page == null) echo(report.markdown()) else page.write(report.markdown())
+        if (page == null) echo(report.markdown()) else page.with(MARKER, report.markdown()).write()
         for (failure in report.failures) echo(failure, err = true)
         if (report.failures.isNotEmpty()) throw ProgramResult(1)
     }
@@ -62,34 +59,8 @@ internal class GoldenMutantsCommand : CliktCommand("mutants") {
         return MutationReport(mutants, renderers.mapWithProgress(terminal, "renderers", run::result), cases.size)
     }
 
-    /** A file with a place for the table; looked at before the work, and read again after it. */
-    private class Page(private val file: Path) {
-        init {
-            if (!Files.isRegularFile(file)) throw InputError("--doc $file is not a file: name the page to put the table in.")
-            place(file.readText())
-        }
-
-        fun write(table: String) {
-            val text = file.readText()
-            val page = text.replaceRange(place(text), table)
-            AtomicFile.write(file) { it.writeText(page) }
-        }
-
-        private fun place(text: String): IntRange {
-            val begin = text.indexOf(BEGIN) + BEGIN.length
-            val end = text.indexOf(END)
-            if (begin < BEGIN.length ||
-                end < begin
-            ) {
-                throw InputError("--doc $file must hold the line ${BEGIN.trim()} and later $END: add them.")
-            }
-            return begin until end
-        }
-    }
-
     private companion object {
         const val TOLERANT = "llvmpipe"
-        const val BEGIN = "<!-- mutants: begin -->\n"
-        const val END = "<!-- mutants: end -->"
+        const val MARKER = "table:mutants"
     }
 }

@@ -1,25 +1,16 @@
 package cga.measure.accuracy
 
-import cga.exercise.components.geometry.Mesh
-import cga.exercise.components.geometry.VertexAttribute
-import cga.exercise.components.shader.ShaderProgram
 import cga.exercise.game.Step
 import cga.framework.ColorFormat
-import cga.framework.Frame
 import cga.framework.RenderTarget
 import cga.framework.context.OffscreenContext
 import cga.framework.image.FloatImage
 import cga.reference.ReferencePicture
-import org.joml.Matrix4d
-import org.joml.Matrix4f
 import org.lwjgl.opengl.GL33C.*
 import java.nio.ByteBuffer
 import java.nio.file.Path
-import kotlin.io.path.createTempFile
-import kotlin.io.path.deleteIfExists
 import kotlin.io.path.readBytes
 import kotlin.io.path.writeBytes
-import kotlin.io.path.writeText
 
 /** What OpenGL makes of a step: the picture, and the number of the triangle that each pixel shows, as [ReferencePicture.surface]. */
 internal class GlAgainstTruthShot(
@@ -85,7 +76,7 @@ internal object GlAgainstTruthShooter {
             val frame = view.frame(step)
             if (view == TruthView.SCENE) drawScene(step) else GlAgainstTruthTerms(frame).use { it.draw(null) }
             val picture = target.readFloats()
-            drawNumbers(frame)
+            TriangleNumbers.draw(frame)
             val numbers = target.readFloats().rgba
             GlAgainstTruthShot(picture, IntArray(numbers.size / 4) { numbers[4 * it].toInt() })
         }
@@ -111,38 +102,6 @@ internal object GlAgainstTruthShooter {
                     target.readFloats().rgba.slice(at..at + 2)
                 }
             }
-        }
-    }
-
-    /** Position, texture coordinates, normal: eight floats a vertex. */
-    private val attributes = arrayOf(VertexAttribute(3, 32, 0), VertexAttribute(2, 32, 12), VertexAttribute(3, 32, 20))
-
-    /** Draws [frame] with the number of its triangle as the colour of each pixel. */
-    private fun drawNumbers(frame: Frame) {
-        val program = numbering()
-        glClearColor(ReferencePicture.NO_SURFACE.toFloat(), 0f, 0f, 0f)
-        glClear(GL_COLOR_BUFFER_BIT or GL_DEPTH_BUFFER_BIT)
-        program.use()
-        program.setUniform("projection", frame.projection, false)
-        var first = 0
-        for (draw in frame.draws) {
-            program.setUniform("modelView", Matrix4f(frame.view.mul(draw.model, Matrix4d())), false)
-            program.setUniform("first", first)
-            Mesh(draw.vertices, draw.indices, attributes).apply { render() }.cleanup()
-            first += draw.indices.size / 3
-        }
-        program.cleanup()
-    }
-
-    private fun numbering(): ShaderProgram {
-        val fragment = createTempFile("cga-numbers", ".frag")
-        try {
-            fragment.writeText(
-                "#version 330 core\nuniform int first;\nout vec4 color;\nvoid main() { color = vec4(first + gl_PrimitiveID); }\n",
-            )
-            return ShaderProgram("shaders/scene.vert", "$fragment")
-        } finally {
-            fragment.deleteIfExists()
         }
     }
 }

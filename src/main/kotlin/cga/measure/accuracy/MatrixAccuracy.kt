@@ -1,6 +1,6 @@
 package cga.measure.accuracy
 
-import java.nio.file.Path
+import cga.measure.ChildJvm
 
 /** What GLM, JOML with its options, and we make of the oracle's cases, against the truth. */
 public object MatrixAccuracy {
@@ -37,11 +37,8 @@ public object MatrixAccuracy {
         }
 
     private fun inJvmWith(options: String): List<Figure> {
-        val properties = options.split(' ').filter { it.isNotEmpty() }.map { "-D$it=true" }
-        val home = System.getProperty("cga.home")?.let { listOf("-Dcga.home=$it") }.orEmpty()
-        val java = Path.of(System.getProperty("java.home"), "bin", "java").toString()
-        val main = listOf("-cp", System.getProperty("java.class.path"), "cga.measure.accuracy.MatrixAccuracyKt", options)
-        val command = listOf(java) + properties + home + main
+        val properties = options.split(' ').filter { it.isNotEmpty() }.associateWith { "true" }
+        val command = ChildJvm.command("cga.measure.accuracy.MatrixAccuracyKt", listOf(options), properties)
         val process = ProcessBuilder(command).redirectError(ProcessBuilder.Redirect.INHERIT).start()
         val lines = process.inputReader().readLines()
         check(process.waitFor() == 0) { "${command.joinToString(" ")} ended with exit code ${process.exitValue()}" }

@@ -12,7 +12,7 @@ import cga.measure.golden.GoldenCase
  * @param visiblePixels how many pixels differed by 1/255 or more before rounding.
  * @param maximum largest difference in a channel, in 1/255 (of a float picture too).
  * @param differing share of pixels that differ, 0..1.
- * @param window mean difference in the worst window of [WINDOW]×[WINDOW] pixels, in 1/255.
+ * @param window mean difference in the worst window of [Comparison.WINDOW] pixels a side, in 1/255.
  * @param flipMean mean ꟻLIP error.
  * @param verdict of the tolerant tier.
  */
@@ -30,7 +30,6 @@ public class CaseFigures private constructor(
     public val isVisible: Boolean get() = visiblePixels >= VISIBLE_PIXELS
 
     public companion object {
-        private const val WINDOW = 16
         private const val VISIBLE_PIXELS = 16
 
         internal fun of(
@@ -48,7 +47,7 @@ public class CaseFigures private constructor(
                 identical,
                 255 * comparison.difference.maximum.max(),
                 comparison.difference.fraction,
-                if (identical) 0.0 else 255 * comparison.worstWindow(WINDOW).error,
+                if (identical) 0.0 else 255 * comparison.worstWindow(Comparison.WINDOW).error,
                 if (identical) 0.0 else comparison.flip.mean,
                 tolerance.judge(comparison).severity,
             )

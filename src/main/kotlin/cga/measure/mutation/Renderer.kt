@@ -1,6 +1,5 @@
 package cga.measure.mutation
 
-import cga.framework.Home
 import cga.framework.InputError
 import cga.framework.context.OffscreenContext
 import cga.framework.image.ExrFile
@@ -9,11 +8,11 @@ import cga.imaging.BytePicture
 import cga.imaging.FloatPicture
 import cga.imaging.Picture
 import cga.imaging.PictureFile
+import cga.measure.ChildJvm
 import cga.measure.golden.GoldenCase
 import cga.measure.golden.GoldenCases
 import org.lwjgl.opengl.GL33C.*
 import java.io.File
-import java.lang.management.ManagementFactory
 import java.nio.file.Files
 import java.nio.file.Path
 import kotlin.io.path.readText
@@ -41,10 +40,8 @@ public class Renderer(
     internal fun draw(cases: List<GoldenCase>): Drawn {
         val folder = Files.createTempDirectory("cga-renderer")
         try {
-            val java = Path.of(System.getProperty("java.home"), "bin", "java").toString()
-            val options = ManagementFactory.getRuntimeMXBean().inputArguments + "-Dcga.home=${Home.resolve("").toAbsolutePath()}"
-            val classes = listOf("-cp", System.getProperty("java.class.path"), DrawCases::class.java.name)
-            val builder = ProcessBuilder(listOf(java) + options + classes + "$folder" + cases.map { it.name })
+            val command = ChildJvm.command(DrawCases::class.java.name, listOf("$folder") + cases.map { it.name })
+            val builder = ProcessBuilder(command)
             // Mesa would take code from its cache that was made with other settings; a width of vectors that does not fit it crashes.
             builder.environment() += environment + ("MESA_SHADER_CACHE_DISABLE" to "true")
             val log = File("$folder/log")

@@ -2,6 +2,7 @@ package cga.measure.accuracy.choices
 
 import cga.framework.context.ContextKind
 import cga.measure.Sample
+import cga.measure.accuracy.Worker
 import cga.reference.ReferencePicture
 import cga.reference.ReferenceRenderer
 import java.nio.file.Path

@@ -1,9 +1,12 @@
 package cga.measure.accuracy.choices
 
+import cga.framework.ColorFormat
 import cga.framework.InputError
+import cga.framework.RenderTarget
 import cga.framework.context.ContextKind
 import cga.framework.context.OffscreenContext
 import cga.framework.image.FloatImage
+import cga.measure.accuracy.TriangleNumbers
 import org.lwjgl.opengl.GL33C.*
 import java.nio.ByteBuffer
 import java.nio.file.Path
@@ -51,7 +54,7 @@ private class Drawings(
         when (words[0]) {
             "time" -> return time(words[1].toInt()).toString()
             "draw" -> draw(words[1].toInt()).write(Path.of(words[2]))
-            "numbers" -> TriangleNumbers.draw(size, home).write(Path.of(words[1]))
+            "numbers" -> numbers().write(Path.of(words[1]))
             else -> error("no such request: $words")
         }
         return "done"
@@ -69,6 +72,12 @@ private class Drawings(
         val choice = DrawingChoices.all[number]
         return Drawing(choice.compared, sizeOf(choice), home).use(Drawing::picture)
     }
+
+    private fun numbers(): FloatImage =
+        RenderTarget(size.width, size.height, 0, ColorFormat.RGBA32F).use { target ->
+            TriangleNumbers.draw(scene(size).scene.frame())
+            target.readFloats()
+        }
 
     private fun sizeOf(choice: DrawingChoice) = if (choice.group.isSmall) size.small else size
 }

@@ -3,6 +3,7 @@ package cga.measure.accuracy.choices
 import cga.measure.Sample
 import cga.measure.accuracy.Figure
 import cga.measure.accuracy.MatrixAccuracy
+import cga.measure.accuracy.Worker
 
 /** Times of matrix libraries beside their errors, which [MatrixAccuracy] knows. */
 internal class MatrixMeasurement(private val runs: Int) {

@@ -1,4 +1,4 @@
-package cga.measure.accuracy.choices
+package cga.measure
 
 import cga.framework.AtomicFile
 import cga.framework.Home

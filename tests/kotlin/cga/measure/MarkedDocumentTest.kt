@@ -1,4 +1,4 @@
-package cga.measure.accuracy.choices
+package cga.measure
 
 import cga.framework.InputError
 import org.junit.jupiter.api.Assertions.assertEquals

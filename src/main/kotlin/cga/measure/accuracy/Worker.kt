@@ -1,9 +1,8 @@
-package cga.measure.accuracy.choices
+package cga.measure.accuracy
 
 import cga.framework.InputError
+import cga.measure.ChildJvm
 import java.io.IOException
-import java.lang.management.ManagementFactory
-import java.nio.file.Path
 
 /**
  * A JVM of its own that measures when it is asked to: what it runs in, environment or system properties, is read once a process.
@@ -17,7 +16,7 @@ internal class Worker(
     properties: Map<String, String> = emptyMap(),
     environment: Map<String, String?> = emptyMap(),
 ) : AutoCloseable {
-    private val process = start(command(main, args, properties), environment)
+    private val process = start(ChildJvm.command(main, args, properties), environment)
     private val requests = process.outputWriter()
     private val answers = process.inputReader()
 
@@ -50,22 +49,5 @@ internal class Worker(
             for ((name, value) in environment) if (value == null) builder.environment() -= name else builder.environment()[name] = value
             return builder.start()
         }
-
-        fun command(
-            main: String,
-            args: List<String>,
-            properties: Map<String, String>,
-        ): List<String> {
-            val java = Path.of(System.getProperty("java.home"), "bin", "java").toString()
-            val home = System.getProperty("cga.home")?.let { mapOf("cga.home" to it) }.orEmpty()
-            val options = (properties + home + ("java.awt.headless" to "true")).map { (name, value) -> "-D$name=$value" }
-            return listOf(java) + nativeAccess() + options + listOf("-cp", System.getProperty("java.class.path"), main) + args
-        }
-
-        /** What newer JDKs want to be told, as this JVM was. */
-        fun nativeAccess(): List<String> =
-            ManagementFactory.getRuntimeMXBean().inputArguments.filter {
-                it.startsWith("--enable-native-access") || it.startsWith("--sun-misc-unsafe-memory-access")
-            }
     }
 }

@@ -52,6 +52,8 @@ kotlin {
     compilerOptions {
         jvmTarget = JvmTarget.fromTarget(libs.versions.jvmTarget.get())
         allWarningsAsErrors = true
+        // Plain classes and calls, which an archive of classes keeps; what is linked by invokedynamic is made anew at every start.
+        freeCompilerArgs.addAll("-Xstring-concat=inline", "-Xlambdas=class", "-Xsam-conversions=class")
     }
     sourceSets {
         main { kotlin.setSrcDirs(listOf("src/main/kotlin")) }

@@ -5,6 +5,8 @@
 // How many lights shine. The program puts the step's numbers here before compiling, so that a light that is off costs nothing.
 const int POINT_LIGHTS = 8;
 const int SPOT_LIGHTS = 2;
+// solution 4.2.3: what the shader is told of a point light
+// solution 4.3.3: what it is told of a spotlight
 const float MAX_FLOAT = 3.402823466e38;
 const float TWO_TO_66 = 73786976294838206464.0;
 // Where the formula's F is larger, a float could overflow on the way to the pixel.
@@ -25,6 +27,7 @@ struct SpotLight {
     vec3 direction;    // view space, unit length, away from the light
     vec2 cone;         // 1 - cos of the inner and of the outer angle
 };
+// end of solution
 
 struct Material {
     sampler2D emissive;  // M_e
@@ -34,22 +37,36 @@ struct Material {
 };
 
 in vec2 surfaceTexCoord;   // texture coordinates, multiplied
+// solution 4.2.3: take the vectors from the vertex shader
+// solution 4.3.3: and those to the spotlights
 in vec3 normalView;        // surface normal, any length
 in vec3 toCameraView;      // from the surface to the eye
 in vec3 toPointLightView[max(POINT_LIGHTS, 1)];  // from the surface to each light; the length is the distance d
 in vec3 toSpotLightView[max(SPOT_LIGHTS, 1)];
+// end of solution
 
 uniform Material material;
+// solution 4.4: the colour of the object
 uniform vec3 emissiveTint;
+// end of solution
 uniform vec3 ambient;       // L_a
+// solution 4.7: half vector or reflected vector?
 uniform bool blinnPhong;    // half vector instead of reflected vector
+// end of solution
 uniform float inverseGamma; // 1 for none
 
+// solution 4.2.3: the point lights
+// solution 4.3.3: the spotlights
 uniform PointLight pointLight[max(POINT_LIGHTS, 1)];
 uniform SpotLight spotLight[max(SPOT_LIGHTS, 1)];
+// end of solution
 
 out vec4 fragColor;
 
+// solution 4.2.3: a function for the diffuse and the specular part, no angle beyond 90 degrees
+// solution 4.3.3: one for the intensity I in the cone
+// solution 4.3.4: one for the attenuation
+// solution 4.7: the specular part with the half vector
 // Where the vector is 0, so is every cosine with it: no light, instead of NaN. The same where its square is beyond a float.
 vec3 normalizeOrZero(vec3 v) {
     float squared = dot(v, v);
@@ -99,15 +116,24 @@ vec3 reflected(vec3 n, vec3 toLight, vec3 toCamera, vec3 diffuse, vec3 specular,
     if (n == vec3(0.0)) return vec3(0.0);
     return (diffuse * clampedCosine(n, toLight) + specular * specularFactor(n, toLight, toCamera)) * lightColor;
 }
+// end of solution
 
 void main() {
     vec3 emissive = texture(material.emissive, surfaceTexCoord).rgb;
     vec3 diffuse = texture(material.diffuse, surfaceTexCoord).rgb;
+    // solution 4.2.3: the specular colour, and the vectors with length 1
     vec3 specular = texture(material.specular, surfaceTexCoord).rgb;
     vec3 n = normalizeOrZero(inRange(normalView));
     vec3 toCamera = normalizeOrZero(toCameraView);
+    // end of solution
 
+    // solution 4.4: emission in the colour of the object
+    // instead: vec3 color = emissive + diffuse * ambient;
     vec3 color = emissive * emissiveTint + diffuse * ambient;
+    // end of solution
+    // solution 4.2.3: add the light of each point light
+    // solution 4.3.3: add the light of each spotlight
+    // solution 4.3.4: with their attenuation
     for (int i = 0; i < POINT_LIGHTS; i++) {
         float f = attenuationFactor(toPointLightView[i], pointLight[i].attenuation);
         vec3 toLight = normalizeOrZero(toPointLightView[i]);
@@ -119,5 +145,6 @@ void main() {
             * coneIntensity(-toLight, spotLight[i].direction, spotLight[i].cone);
         color += reflected(n, toLight, toCamera, diffuse, specular, f * spotLight[i].color);
     }
+    // end of solution
     fragColor = vec4(inverseGamma == 1.0 ? color : pow(max(color, 0.0), vec3(inverseGamma)), 1.0);
 }

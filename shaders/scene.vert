@@ -5,6 +5,8 @@
 const int POINT_LIGHTS = 8;
 const int SPOT_LIGHTS = 2;
 
+// solution 4.2.3: what the shader is told of a point light, as in scene.frag
+// solution 4.3.3: what it is told of a spotlight
 struct PointLight {
     vec3 position;     // view space
     vec3 color;
@@ -18,6 +20,7 @@ struct SpotLight {
     vec3 direction;    // view space, unit length, away from the light
     vec2 cone;         // 1 - cos of the inner and of the outer angle
 };
+// end of solution
 
 layout(location = 0) in vec3 position;  // model space
 layout(location = 1) in vec2 texCoord;
@@ -28,25 +31,34 @@ uniform mat3 normalMatrix;  // the same for normals
 uniform mat4 projection;    // view space -> clip space
 uniform vec2 tcMultiplier;  // how often the textures repeat
 
+// solution 4.2.3: the point lights
+// solution 4.3.3: the spotlights
 uniform PointLight pointLight[max(POINT_LIGHTS, 1)];
 uniform SpotLight spotLight[max(SPOT_LIGHTS, 1)];
+// end of solution
 
 out vec2 surfaceTexCoord;                   // texture coordinates, multiplied
 out vec3 normalView;                        // surface normal, any length
+// solution 4.2.3: hand over the vectors to the camera and to the point lights
+// solution 4.3.3: and those to the spotlights
 // From the surface to the eye and to each light. They are affine in the position, so interpolating them is exact;
 // normalising here would bend them between the vertices. Their lengths are the distances.
 out vec3 toCameraView;
 out vec3 toPointLightView[max(POINT_LIGHTS, 1)];
 out vec3 toSpotLightView[max(SPOT_LIGHTS, 1)];
+// end of solution
 
 void main() {
     vec3 positionView = (modelView * vec4(position, 1.0)).xyz;
 
     surfaceTexCoord = texCoord * tcMultiplier;
     normalView = normalMatrix * normal;
+    // solution 4.2.3: these vectors, in view space
+    // solution 4.3.3: and those to the spotlights
     toCameraView = -positionView;
     for (int i = 0; i < POINT_LIGHTS; i++) toPointLightView[i] = pointLight[i].position - positionView;
     for (int i = 0; i < SPOT_LIGHTS; i++) toSpotLightView[i] = spotLight[i].position - positionView;
+    // end of solution
 
     gl_Position = projection * vec4(positionView, 1.0);
 }

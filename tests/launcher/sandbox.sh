@@ -24,15 +24,17 @@ stub() {
     chmod +x "$sandbox/bin/$1"
 }
 
-# jdk FOLDER VERSION: a JDK whose java notes its arguments, and makes the archive of classes that it is asked for.
+# jdk FOLDER VERSION: a JDK whose java notes its arguments, and makes the archive of classes that it is asked for; the renders
+# that prepare it do nothing.
 jdk() {
     mkdir -p "$1/bin"
     echo "JAVA_VERSION=\"$2\"" >"$1/release"
     cat >"$1/bin/java" <<END
 #!/bin/sh
 case \$1 in
-    -XX:ArchiveClassesAtExit=*) echo archive >>"$calls" && echo classes >"\${1#*=}" && exit ;;
+    -Xshare:dump) echo archive >>"$calls" && echo classes >"\${2#*=}" && exit ;;
 esac
+case \$* in */warm-up.png) exit ;; esac
 echo java >>"$calls"
 printf '%s\n' "\$@" >"$sandbox/arguments"
 env >"$sandbox/environment"

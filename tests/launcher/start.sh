@@ -20,6 +20,7 @@ check 'and so is the exit code' ended 7
 check 'it runs where the user is' [ "$(cat "$sandbox/folder")" = "$(cd "$sandbox/elsewhere" && pwd -P)" ]
 check 'it is told where the checkout is' argument "-Dcga.home=$checkout"
 check 'its class path is the jars' argument "$checkout/build/cga/lib/*"
+check 'what it cooks lies with the build' argument "-Dcga.cooked=$checkout/build/cga/cooked"
 check 'a short command starts quickly' argument -XX:TieredStopAtLevel=1
 check 'with the archive of classes' argument "-XX:SharedArchiveFile=$checkout/build/cga/java-17.0.1.jsa"
 check 'OpenGL is 3.3' grep -q -x MESA_GL_VERSION_OVERRIDE=3.3 "$sandbox/environment"

@@ -23,6 +23,7 @@ private class GradleBuild(private val catalogue: Catalogue, private val settings
             put("main sources", sources("main"))
             put("test sources", sources("test"))
             put("warnings are errors", ("allWarningsAsErrors = true" in script).toString())
+            put("compiler", strings(find("""freeCompilerArgs\.addAll\((.+)\)""", script)).joinToString())
             put("explicit API", ("explicitApi()" in script).toString())
             put("test heap", find("""maxHeapSize = "(.+)"""", block("tasks.test")))
             putAll(calls("systemProperty", "test property"))

@@ -19,7 +19,7 @@ class LayerTest {
             "cli" to setOf("grading", "measure", "imaging", "reference", "exercise", "framework"),
         )
 
-    private val sources = kotlinFiles("src").map { Source(it.invariantSeparatorsPath, it.readText()) }
+    private val sources = kotlinFiles("src/main/kotlin").map { Source(it.invariantSeparatorsPath, it.readText()) }
 
     @Test
     fun `the sources keep to their layers`() {

@@ -28,6 +28,7 @@ private class MavenBuild(pom: String) {
             put("main sources", sources("sourceDirectory"))
             put("test sources", sources("testSourceDirectory"))
             put("warnings are errors", ("-Werror" in arguments(kotlin.child("configuration"))).toString())
+            put("compiler", arguments(kotlin.child("configuration")).filter { it.startsWith("-X") }.joinToString())
             put("explicit API", ("-Xexplicit-api=strict" in arguments(execution("compile"))).toString())
             putAll(testFacts())
             putAll(dependencies())

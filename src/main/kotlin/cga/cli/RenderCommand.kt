@@ -6,6 +6,7 @@ import cga.exercise.game.ScriptedScene.Companion.PRETTY_TIME
 import cga.exercise.game.Step
 import cga.framework.AtomicFile
 import cga.framework.ColorFormat
+import cga.framework.Phases
 import cga.framework.SpecularModel
 import cga.framework.image.ExrFile
 import cga.framework.image.PngFile
@@ -56,8 +57,8 @@ internal class RenderCommand : CliktCommand("render") {
         val png = out ?: if (float == null) Path.of("motorcycle.png") else null
         listOfNotNull(png, float).forEach(AtomicFile::checkWritable)
         // The scene needs no OpenGL to be read, so that happens while the driver starts.
-        val reading = CompletableFuture.supplyAsync { ScriptedScene(size.width, size.height, step, drive) }
-        canvas().use { render(reading.result(), it, png) }
+        val reading = CompletableFuture.supplyAsync { Phases.span("scene") { ScriptedScene(size.width, size.height, step, drive) } }
+        Phases.span("context") { canvas() }.use { render(reading.result(), it, png) }
     }
 
     private fun canvas(): Canvas =
@@ -114,8 +115,11 @@ internal class RenderCommand : CliktCommand("render") {
     ) {
         player.moveMouseTo(if (frames == 1) mouse else mouse * (frame / (frames - 1.0)))
         player.advanceTo(startTime() + frame / fps)
-        canvas.draw(player.scene)
-        png?.let { PngFile.write(canvas.read(), numbered(it, frame)) }
+        Phases.span("draw") { canvas.draw(player.scene) }
+        png?.let { file ->
+            val picture = Phases.span("read") { canvas.read() }
+            Phases.span("png") { PngFile.write(picture, numbered(file, frame)) }
+        }
         float?.let { ExrFile.write(canvas.readFloats(), numbered(it, frame)) }
     }
 

@@ -2,6 +2,7 @@ package cga.framework.image
 
 import org.junit.jupiter.api.Assertions.assertArrayEquals
 import org.junit.jupiter.api.Assertions.assertEquals
+import org.junit.jupiter.api.Assertions.assertNotNull
 import org.junit.jupiter.api.Test
 import org.junit.jupiter.api.io.TempDir
 import java.nio.file.Path
@@ -25,5 +26,24 @@ class PngFileTest {
         assertEquals(3, jdk.colorModel.numComponents)
         val (r, g, b) = List(3) { opaque[4 * (2 * 37 + 5) + it].toInt() and 0xFF }
         assertEquals(0xFF shl 24 or (r shl 16) or (g shl 8) or b, jdk.getRGB(5, 2))
+    }
+
+    @Test
+    fun `pictures of any number of strips are whole`(
+        @TempDir folder: Path,
+    ) {
+        val file = folder.resolve("picture.png")
+        // One row, a strip, a row more, several strips; more than one batch; nothing that can be packed, and nothing but one colour.
+        val sizes = listOf(1 to 1, 5 to PngStrip.ROWS, 5 to PngStrip.ROWS + 1, 300 to 5 * PngStrip.ROWS - 1, 3 to 40 * PngStrip.ROWS)
+        for ((width, height) in sizes) {
+            for (rgba in listOf(Random(2).nextBytes(4 * width * height), ByteArray(4 * width * height) { -1 })) {
+                PngFile.write(ImageData(width, height, rgba), file)
+                val opaque = rgba.mapIndexed { i, byte -> if (i % 4 == 3) -1 else byte }.toByteArray()
+                val read = ImageData.read("$file")
+                assertEquals(width to height, read.width to read.height)
+                assertArrayEquals(opaque, read.rgba)
+                assertNotNull(ImageIO.read(file.toFile()))
+            }
+        }
     }
 }

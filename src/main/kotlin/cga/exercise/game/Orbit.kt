@@ -21,9 +21,11 @@ internal class Orbit {
         xpos: Double,
         turning: Boolean,
     ) {
+        // solution 4.5: turn by 0.002 rad for each pixel since the last call; the very first call turns nothing
         if (!xpos.isFinite()) return
         if (turning && !lastX.isNaN()) angle = (angle + RADIANS_PER_PIXEL * (xpos - lastX)) % (2 * Math.PI)
         lastX = xpos
+        // end of solution
     }
 
     /** The camera's matrix in the motorcycle's space, into [dest]. */
@@ -33,7 +35,10 @@ internal class Orbit {
     ): Matrix4f =
         dest.set(
             matrix
+                // solution 4.5: turn about the motorcycle, when turned
+                // instead: .identity()
                 .rotationY(if (turned) angle else 0.0)
+                // end of solution
                 .rotateX(PITCH)
                 .translate(0.0, 0.0, DISTANCE),
         )

@@ -15,20 +15,26 @@ import org.lwjgl.opengl.GL33C.*
 import kotlin.math.abs
 import kotlin.math.sin
 
+/** Makes the programs of a scene, as [ShaderProgram]'s constructor does. */
+internal typealias NewProgram = (vertexPath: String, fragmentPath: String, constants: Map<String, Int>) -> ShaderProgram
+
 /**
  * The motorcycle on its glowing grid: everything that the sheet asks for, one [Step] at a time.
  *
  * Made without an OpenGL context; what it draws with is uploaded by the first [render]. Time and input only ever come in as arguments.
  * Throws [cga.framework.InputError] when a model, texture or shader cannot be read.
  */
-public class Scene(
+public class Scene internal constructor(
     private val window: WindowState,
-    step: Step = Step.FINAL,
+    step: Step,
+    newProgram: NewProgram,
 ) {
+    public constructor(window: WindowState, step: Step = Step.FINAL) : this(window, step, ::ShaderProgram)
+
     private val ground =
         ModelLoader.loadModel("assets/ground/ground.obj").apply { meshes.forEach { it.material?.tcMultiplier?.set(64f) } }
     private val motorcycle = ModelLoader.loadModel("assets/motorcycle/motorcycle.obj")
-    private val camera = TronCamera(parent = motorcycle)
+    internal val camera: TronCamera = TronCamera(parent = motorcycle)
     private val lights = SceneLights(motorcycle)
 
     // One program for each number of lights that steps have: a light that is off costs nothing, not even an interpolated vector.
@@ -36,10 +42,10 @@ public class Scene(
         Step.entries
             .map(lights::counts)
             .distinct()
-            .associateWith { ShaderProgram("shaders/scene.vert", "shaders/scene.frag", it) }
+            .associateWith { newProgram(VERTEX_SHADER, FRAGMENT_SHADER, it) }
     private var program = programs.getValue(lights.counts(step))
-    private val ride = Ride()
-    private val orbit = Orbit()
+    internal val ride: Ride = Ride()
+    internal val orbit: Orbit = Orbit()
     private var time = 0.0
 
     private val view = Matrix4d()
@@ -87,13 +93,21 @@ public class Scene(
         // The program first, since uniforms are set on the one in use; then what all draws share; then the draws.
         program.use()
         camera.bind(program)
+        // solution 4.2.2: bind the lights
         lights.bind(program, view)
+        // end of solution
         program.setUniform("ambient", ambient)
+        // solution 4.7: tell the shader whether the specular model is Blinn-Phong
         program.setUniform("blinnPhong", specularModel == SpecularModel.BLINN_PHONG)
+        // end of solution
         program.setUniform("inverseGamma", 1f / gamma)
+        // solution 4.4: send the colour of the ground
         program.setUniform("emissiveTint", groundTint())
+        // end of solution
         ground.render(program, view)
+        // solution 4.4: send the colour of the motorcycle by the same uniform
         program.setUniform("emissiveTint", motorcycleTint)
+        // end of solution
         motorcycle.render(program, view)
     }
 
@@ -167,20 +181,34 @@ public class Scene(
         camera.setLocalModelMatrix(orbit.place(step.turnsWithMouse, matrix))
         camera.aspect = window.framebufferWidth.toFloat() / window.framebufferHeight
         camera.calculateViewMatrix(view)
+        // solution 4.4: give the motorcycle and its light a colour that changes with the time, where the step has colour
+        // instead: motorcycleTint.set(1f)
         if (step.color) colorAt(time, motorcycleTint) else motorcycleTint.set(1f)
         lights.setMotorcycleColor(motorcycleTint)
+        // end of solution
     }
 
+    // solution 4.4: the colour of the ground, where the step has colour
+    // instead: private fun groundTint(): Vector3fc = WHITE
     private fun groundTint(): Vector3fc = if (step.color) GREEN else WHITE
+    // end of solution
 
-    private companion object {
-        val WHITE: Vector3fc = Vector3f(1f)
-        val GREEN: Vector3fc = Vector3f(0f, 1f, 0f)
+    internal companion object {
+        const val VERTEX_SHADER = "shaders/scene.vert"
+        const val FRAGMENT_SHADER = "shaders/scene.frag"
+        private val WHITE: Vector3fc = Vector3f(1f)
+
+        // solution
+        private val GREEN: Vector3fc = Vector3f(0f, 1f, 0f)
+        // end of solution
+
+        // solution
 
         /** The motorcycle's colour: |sin| of t, t/2 and t/3, so that no channel is ever negative. */
-        fun colorAt(
+        private fun colorAt(
             t: Double,
             dest: Vector3f,
         ): Vector3f = dest.set(abs(sin(t)).toFloat(), abs(sin(t / 2)).toFloat(), abs(sin(t / 3)).toFloat())
+        // end of solution
     }
 }

@@ -1,5 +1,6 @@
 package cga.exercise.game
 
+import cga.exercise.components.shader.ShaderProgram
 import cga.framework.WindowState
 import kotlin.math.roundToLong
 
@@ -9,18 +10,26 @@ import kotlin.math.roundToLong
  *
  * @param width of the picture in pixels, likewise [height].
  */
-public class ScriptedScene(
+public class ScriptedScene internal constructor(
     width: Int,
     height: Int,
-    step: Step = Step.FINAL,
-    private val drive: DriveScript = DriveScript.NONE,
+    step: Step,
+    private val drive: DriveScript,
+    newProgram: NewProgram,
 ) : WindowState {
+    public constructor(
+        width: Int,
+        height: Int,
+        step: Step = Step.FINAL,
+        drive: DriveScript = DriveScript.NONE,
+    ) : this(width, height, step, drive, ::ShaderProgram)
+
     override val framebufferWidth: Int = width
     override val framebufferHeight: Int = height
     private var updates = 0L
 
     /** The scene itself, for its settings. */
-    public val scene: Scene = Scene(this, step)
+    public val scene: Scene = Scene(this, step, newProgram)
 
     init {
         scene.onMouseMove(0.0, 0.0)

@@ -1,6 +1,7 @@
 package cga.framework.context
 
 import cga.framework.InputError
+import cga.framework.Phases
 import org.lwjgl.PointerBuffer
 import org.lwjgl.glfw.GLFW.*
 import org.lwjgl.system.MemoryStack
@@ -11,8 +12,12 @@ import org.lwjgl.system.MemoryUtil.NULL
 internal object Glfw {
     /** Starts GLFW on [platform] (a `GLFW_PLATFORM_…` or `GLFW_ANY_PLATFORM`); answers null, or why it could not. */
     fun start(platform: Int): String? {
-        glfwInitHint(GLFW_PLATFORM, platform)
-        return if (glfwInit()) null else lastError()
+        val started =
+            Phases.span("glfw") {
+                glfwInitHint(GLFW_PLATFORM, platform)
+                glfwInit()
+            }
+        return if (started) null else lastError()
     }
 
     /** The last error's description, on one line. */
@@ -45,14 +50,14 @@ internal object Glfw {
         monitor: Long,
         refusal: (reason: String) -> InputError,
     ): Long {
-        val window = glfwCreateWindow(width, height, title, monitor, NULL)
+        val window = Phases.span("window") { glfwCreateWindow(width, height, title, monitor, NULL) }
         if (window == NULL) {
             val reason = lastError()
             glfwTerminate()
             throw refusal(reason)
         }
         glfwMakeContextCurrent(window)
-        GlFunctions.load { name -> glfwGetProcAddress(name) }
+        Phases.span("gl-functions") { GlFunctions.load { name -> glfwGetProcAddress(name) } }
         return window
     }
 

@@ -1,51 +1,67 @@
 package cga.framework.image
 
 import cga.framework.AtomicFile
-import java.awt.image.BufferedImage
+import java.io.OutputStream
+import java.nio.file.Files
 import java.nio.file.Path
-import javax.imageio.IIOImage
-import javax.imageio.ImageIO
-import javax.imageio.ImageWriteParam
-import javax.imageio.stream.FileImageOutputStream
+import java.util.zip.Adler32
+import java.util.zip.CRC32
 
-/** Writes pictures as 8-bit RGB PNG; alpha is dropped, since a framebuffer's picture is opaque. */
+/**
+ * Writes pictures as 8-bit RGB PNG; alpha is dropped, since a framebuffer's picture is opaque.
+ *
+ * Made for speed: the rows are packed by all processors, a [PngStrip] each, and joined to the one stream that PNG wants. A file is the
+ * same bytes however many processors there were.
+ */
 public object PngFile {
-    // The standard setting (0.5) takes twice as long as 0.9 (zlib level 1) for files a tenth smaller.
-    private const val QUALITY = 0.9f
+    private val SIGNATURE = byteArrayOf(0x89.toByte(), 'P'.code.toByte(), 'N'.code.toByte(), 'G'.code.toByte(), 13, 10, 26, 10)
+    private val ZLIB_HEADER = byteArrayOf(0x78, 0x01)
+
+    // Eight bits a channel; red, green, blue; deflate, filters by row, not interlaced.
+    private val FORMAT = byteArrayOf(8, 2, 0, 0, 0)
+
+    /** Strips packed at a time, which bounds the memory that it takes. */
+    private const val BATCH = 16
 
     /** Writes [image] to [target], whole or not at all. Throws [cga.framework.InputError] when that is not possible. */
     public fun write(
         image: ImageData,
         target: Path,
-    ): Unit = AtomicFile.write(target) { temporary -> encode(bgr(image), temporary) }
+    ): Unit = AtomicFile.write(target) { temporary -> Files.newOutputStream(temporary).use { encode(image, it) } }
 
     private fun encode(
-        picture: BufferedImage,
-        file: Path,
+        image: ImageData,
+        file: OutputStream,
     ) {
-        val writer = ImageIO.getImageWritersByFormatName("png").next()
-        try {
-            FileImageOutputStream(file.toFile()).use { stream ->
-                writer.output = stream
-                val settings = writer.defaultWriteParam
-                settings.compressionMode = ImageWriteParam.MODE_EXPLICIT
-                settings.compressionQuality = QUALITY
-                writer.write(null, IIOImage(picture, null, null), settings)
-            }
-        } finally {
-            writer.dispose()
+        file.write(SIGNATURE)
+        file.chunk("IHDR", listOf(bytes(image.width), bytes(image.height), FORMAT))
+        val checksum = Adler32()
+        val last = (image.height - 1) / PngStrip.ROWS
+        for (batch in (0..last).chunked(BATCH)) {
+            val strips = batch.parallelStream().map { PngStrip(image, it * PngStrip.ROWS) }.toList()
+            strips.forEach { checksum.update(it.filtered) }
+            val packed = strips.map { it.packed }
+            val header = if (batch.first() == 0) listOf(ZLIB_HEADER) else emptyList()
+            val trailer = if (batch.last() == last) listOf(bytes(checksum.value.toInt())) else emptyList()
+            file.chunk("IDAT", header + packed + trailer)
         }
+        file.chunk("IEND", emptyList())
     }
 
-    private fun bgr(image: ImageData): BufferedImage {
-        val picture = BufferedImage(image.width, image.height, BufferedImage.TYPE_3BYTE_BGR)
-        val target = (picture.raster.dataBuffer as java.awt.image.DataBufferByte).data
-        val source = image.rgba
-        for (pixel in 0 until image.width * image.height) {
-            target[3 * pixel] = source[4 * pixel + 2]
-            target[3 * pixel + 1] = source[4 * pixel + 1]
-            target[3 * pixel + 2] = source[4 * pixel]
+    private fun OutputStream.chunk(
+        type: String,
+        content: List<ByteArray>,
+    ) {
+        val checksum = CRC32()
+        val name = type.toByteArray()
+        write(bytes(content.sumOf { it.size }))
+        for (part in listOf(name) + content) {
+            write(part)
+            checksum.update(part)
         }
-        return picture
+        write(bytes(checksum.value.toInt()))
     }
+
+    /** Most significant byte first. */
+    private fun bytes(number: Int) = ByteArray(Int.SIZE_BYTES) { (number shr (24 - 8 * it)).toByte() }
 }

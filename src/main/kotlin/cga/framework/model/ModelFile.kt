@@ -2,6 +2,8 @@ package cga.framework.model
 
 import cga.framework.Home
 import cga.framework.InputError
+import cga.framework.Phases
+import cga.framework.cooked.Cooked
 import org.joml.Vector3f
 import org.joml.Vector3fc
 import org.lwjgl.assimp.AIColor4D
@@ -20,12 +22,21 @@ public object ModelFile {
     private const val STEPS =
         aiProcess_Triangulate or aiProcess_JoinIdenticalVertices or aiProcess_GenSmoothNormals or aiProcess_SortByPType or
             aiProcess_PreTransformVertices
+    private const val COOKED = "model"
 
     /** The model in the file at [path] (see [Home]). Throws [InputError] naming the file and what is wrong with it. */
-    public fun read(path: String): ModelData {
+    public fun read(path: String): ModelData = Phases.span("model") { load(path) }
+
+    private fun load(path: String): ModelData {
         val file = Home.resolve(path)
         if (!Files.isRegularFile(file)) Home.read(file, "model")
-        if (path.endsWith(".obj", ignoreCase = true)) ObjCheck.check(file)
+        // Of other formats it is not known which files beside them they read.
+        if (!path.endsWith(".obj", ignoreCase = true)) return parse(file)
+        return Cooked.read(file, COOKED, CookedModel::decode)
+            ?: Cooked.make(listOf(file) + ObjCheck.libraries(file), COOKED, CookedModel::encode) { parse(file) }
+    }
+
+    private fun parse(file: Path): ModelData {
         val scene = aiImportFile(file.toString(), STEPS) ?: throw broken(file, aiGetErrorString() ?: "no reason given")
         try {
             return ModelData(meshes(scene, file))

@@ -11,7 +11,8 @@ import java.nio.file.Path
  * The picture would come out grey, and nobody would know why.
  */
 internal object ObjCheck {
-    fun check(obj: Path) {
+    /** The material libraries that [obj] names, all there and with every material that it uses. Throws [InputError] otherwise. */
+    fun libraries(obj: Path): List<Path> {
         val lines = String(Home.read(obj, "model")).lineSequence().map { it.trim() }
         val libraries = mutableListOf<Path>()
         val used = linkedSetOf<String>()
@@ -25,6 +26,7 @@ internal object ObjCheck {
             val files = libraries.joinToString().ifEmpty { "no mtllib line" }
             throw InputError("model file $obj uses the material ${missing.first()}, which is not in its material file ($files).")
         }
+        return libraries
     }
 
     /** The file called [name] in the folder of the model [file], which may have been written on Windows. */

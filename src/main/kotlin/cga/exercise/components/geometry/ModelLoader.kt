@@ -27,7 +27,7 @@ public object ModelLoader {
         yaw: Float = 0f,
         roll: Float = 0f,
     ): Renderable {
-        val turn = Matrix4d().rotationOf(pitch, yaw, roll)
+        val turn = if (pitch == 0f && yaw == 0f && roll == 0f) null else Matrix4d().rotationOf(pitch, yaw, roll)
         val textures = HashMap<String, Texture2D>()
         return Renderable(
             ModelFile.read(path).meshes.map { Mesh(turned(it.vertices, turn), it.indices, LAYOUT, material(it.material, textures)) },
@@ -36,8 +36,9 @@ public object ModelLoader {
 
     private fun turned(
         vertices: FloatArray,
-        turn: Matrix4d,
+        turn: Matrix4d?,
     ): FloatArray {
+        if (turn == null) return vertices
         val vector = Vector3f()
         for (vertex in vertices.indices step MeshData.FLOATS_PER_VERTEX) {
             for (at in intArrayOf(vertex, vertex + 5)) {

@@ -55,7 +55,9 @@ public open class PointLight(
         require(position.isFinite) { "light position $position must be finite" }
         this.lightColor = lightColor
         this.attenuation = attenuation
+        // solution 4.2.1: move the light to its position
         translateGlobal(Vector3f(position))
+        // end of solution
     }
 
     /** The sheet's form: the position in world space, for shaders that apply the view matrix themselves. */
@@ -73,11 +75,15 @@ public open class PointLight(
         name: String,
         viewMatrix: Matrix4dc,
     ) {
+        // solution 4.2.1: send the position, in view space, and the colour to the light that the shaders call by this name
         getWorldModelMatrix(world).mulLocal(viewMatrix)
         if (uniforms.light != name) uniforms = Uniforms(name)
         shaderProgram.setUniform(uniforms.position, positionView.set(world.m30(), world.m31(), world.m32()))
         shaderProgram.setUniform(uniforms.color, color)
+        // end of solution
+        // solution 4.3.4: send the attenuation
         shaderProgram.setUniform(uniforms.attenuation, k)
+        // end of solution
     }
 
     /** Position in world space, in double precision. */

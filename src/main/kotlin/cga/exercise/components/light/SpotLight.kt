@@ -54,18 +54,23 @@ public class SpotLight(
         name: String,
         viewMatrix: Matrix4dc,
     ) {
+        // solution 4.3.1: send what a point light sends, and then the direction, in view space, and the cone
         super.bind(shaderProgram, name, viewMatrix)
         if (uniforms.light != name) uniforms = Uniforms(name)
         getDirection(direction)
         viewMatrix.transformDirection(direction)
         shaderProgram.setUniform(uniforms.direction, directionView.set(direction))
         shaderProgram.setUniform(uniforms.cone, cone)
+        // end of solution
     }
 
     /** Unit vector in world space along which the light shines. */
     public fun getDirection(dest: Vector3d): Vector3d {
+        // solution 4.3.1: the direction of the light's own -z axis in world space
+        // instead: return dest.set(0.0, -1.0, 0.0)
         getWorldModelMatrix(world)
         return dest.set(-world.m20(), -world.m21(), -world.m22()).normalize()
+        // end of solution
     }
 
     /** The light as plain data. */

@@ -1,5 +1,6 @@
 package cga.exercise.components.shader
 
+import cga.framework.Phases
 import org.joml.Matrix3fc
 import org.joml.Matrix4fc
 import org.joml.Vector2fc
@@ -27,7 +28,7 @@ public open class ShaderProgram(
 
     /** Makes this the program that draws and that [setUniform] speaks to. */
     public fun use() {
-        if (program == 0) program = ShaderCompiler.link(vertex, fragment)
+        if (program == 0) program = Phases.span("shaders") { ShaderCompiler.link(vertex, fragment) }
         glUseProgram(program)
     }
 

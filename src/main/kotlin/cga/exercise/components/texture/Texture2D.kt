@@ -11,12 +11,13 @@ import org.lwjgl.system.MemoryUtil
  *
  * @param genMipMaps whether smaller levels are made for minification (see [TextureImage]).
  */
-public class Texture2D(
-    imageData: ImageData,
+public class Texture2D private constructor(
+    /** The texels, all mip levels. */
+    public val image: TextureImage,
     private val genMipMaps: Boolean,
 ) {
-    /** The texels, all mip levels. */
-    public val image: TextureImage = TextureImage(imageData, genMipMaps)
+    public constructor(imageData: ImageData, genMipMaps: Boolean) : this(TextureImage(imageData, genMipMaps), genMipMaps)
+
     private var texture = 0
 
     /** The sampling parameters in force, OpenGL's constants. */
@@ -105,6 +106,6 @@ public class Texture2D(
         public operator fun invoke(
             path: String,
             genMipMaps: Boolean,
-        ): Texture2D = Texture2D(ImageData.read(path), genMipMaps)
+        ): Texture2D = Texture2D(TextureImage.read(path, genMipMaps), genMipMaps)
     }
 }

@@ -1,0 +1,63 @@
+package cga.grading.analysis
+
+import cga.grading.capture.Capture
+import cga.grading.capture.CapturedDraw
+import cga.grading.capture.EventKind
+import cga.grading.findings.Findings
+import cga.grading.replay.Replay
+import cga.grading.scene.SceneJudge
+import cga.grading.scene.SceneProfile
+import cga.grading.study.ShaderStudy
+import java.nio.file.Path
+
+/**
+ * Measures a capture: draws its frames again, studies what its shaders compute, judges what its scene does, and takes pictures that show
+ * it. Needs a current context.
+ *
+ * @param folder where the pictures go.
+ */
+internal class Analysis(
+    private val capture: Capture,
+    private val edition: String,
+    private val folder: Path,
+) {
+    /** Throws [NothingDrawn], [NotReproducible] and [cga.grading.replay.ReplayError]. */
+    fun findings(): Findings {
+        if (capture.frames.none { frame -> frame.steps.any { it is CapturedDraw } }) throw NothingDrawn(whyNothing())
+        return Replay(capture).use { replay ->
+            Reproduction.check(capture, replay)
+            ShaderStudy.of(capture).use { study ->
+                val observed = capture.frames.mapNotNull(study::observe)
+                val profile = if (edition == "2022") SceneProfile.LATER else SceneProfile.SHEET
+                val scene = SceneJudge.judge(observed, capture.events, profile, uniformNames())
+                val verdict = Verdict.of(study, scene)
+                val pictures = ScenePictures(capture, replay, folder).take(observed)
+                Findings(verdict.checks, verdict.mistakes, study.plots, pictures, study.notes + scene.notes + eventNotes())
+            }
+        }
+    }
+
+    private fun uniformNames(): Set<String> =
+        capture.frames.flatMap { it.steps }.filterIsInstance<CapturedDraw>().flatMap { it.uniforms }.map { it.name }.toSet()
+
+    private fun whyNothing(): String {
+        val problem = capture.events.firstOrNull { it.kind in FATAL } ?: return "No draw call was made in ${capture.frames.size} frames."
+        return "Nothing was drawn. ${problem.text}"
+    }
+
+    /** What went wrong beside the drawing, each thing once. */
+    private fun eventNotes(): List<String> =
+        capture.events
+            .filter { it.kind !in QUIET }
+            .groupBy { it.kind to it.text }
+            .map { (what, all) ->
+                "${what.first.name.lowercase().replace('_', ' ')}: ${what.second}" +
+                    if (all.size > 1) " (${all.size} times)" else ""
+            }.take(MOST_NOTES)
+
+    private companion object {
+        const val MOST_NOTES = 20
+        val FATAL = setOf(EventKind.EXCEPTION, EventKind.SHADER_FAILED, EventKind.LINK_FAILED, EventKind.NOT_CAPTURED)
+        val QUIET = setOf(EventKind.UNIFORM_ABSENT)
+    }
+}

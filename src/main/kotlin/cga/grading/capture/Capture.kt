@@ -1,0 +1,191 @@
+package cga.grading.capture
+
+/**
+ * Everything that one run of a submission handed to OpenGL, as plain data: enough to draw its frames again without the submission.
+ *
+ * The worker writes one; whoever reads one must not believe it. Immutable: nobody changes the arrays.
+ *
+ * @param width of the window's framebuffer in pixels, likewise [height].
+ * @param samples of the window's framebuffer, 0 for none.
+ * @param buffers contents of buffer objects; draws name them by their number in this list. The same contents appear once.
+ */
+public class Capture(
+    public val width: Int,
+    public val height: Int,
+    public val programs: List<CapturedProgram>,
+    public val buffers: List<ByteArray>,
+    public val textures: List<CapturedTexture>,
+    public val frames: List<CapturedFrame>,
+    public val events: List<CapturedEvent>,
+    public val samples: Int = 0,
+)
+
+/**
+ * A linked program.
+ *
+ * @param attributes vertex attributes that are active, by name, with their locations.
+ * @param outputs fragment outputs bound by the program to a colour number other than the compiler's, by name.
+ * @param substituted whether these are not the submission's own sources but stand-ins for some that did not compile or link: they declare
+ * the same inputs, outputs and uniforms and draw nothing of use.
+ */
+public class CapturedProgram(
+    public val vertexSource: String,
+    public val fragmentSource: String,
+    public val attributes: Map<String, Int>,
+    public val outputs: Map<String, Int> = emptyMap(),
+    public val substituted: Boolean = false,
+)
+
+/**
+ * A 2D texture.
+ *
+ * @param levels RGBA, 8 bits a channel, first row at the bottom as OpenGL has it; level i is max(1, width >> i) wide.
+ * @param wrapS as all other parameters here OpenGL's own constant.
+ * @param srgb whether the texels are sRGB-encoded and are decoded when sampled.
+ */
+public class CapturedTexture(
+    public val width: Int,
+    public val height: Int,
+    public val levels: List<ByteArray>,
+    public val wrapS: Int,
+    public val wrapT: Int,
+    public val minFilter: Int,
+    public val magFilter: Int,
+    public val maxAnisotropy: Float = 1f,
+    public val srgb: Boolean = false,
+)
+
+/**
+ * One picture.
+ *
+ * @param moment which moment of the [Script] it shows.
+ * @param time seconds since the start.
+ * @param picture RGBA, 8 bits a channel, top row first; null for a frame that was noted without being drawn.
+ */
+public class CapturedFrame(
+    public val moment: Moment,
+    public val time: Double,
+    public val steps: List<CapturedStep>,
+    public val picture: ByteArray?,
+)
+
+/** What changes the picture, in order. */
+public sealed interface CapturedStep
+
+/** glClear. @param mask `GL_COLOR_BUFFER_BIT` and its like. */
+public class CapturedClear(
+    public val mask: Int,
+    public val color: FloatArray,
+    public val depth: Double,
+) : CapturedStep
+
+/**
+ * A draw call and all that it reads.
+ *
+ * @param program number in [Capture.programs].
+ * @param uniforms every active uniform of the program, arrays and structs written out: one entry an element.
+ * @param textures texture unit → number in [Capture.textures], for the units that the program's samplers name.
+ * @param indices number in [Capture.buffers], or null for glDrawArrays.
+ * @param indexType `GL_UNSIGNED_INT` and its like.
+ * @param first byte offset into the indices, or first vertex.
+ */
+public class CapturedDraw(
+    public val program: Int,
+    public val mode: Int,
+    public val count: Int,
+    public val attributes: List<CapturedAttribute>,
+    public val indices: Int?,
+    public val indexType: Int,
+    public val first: Long,
+    public val baseVertex: Int,
+    public val instances: Int,
+    public val uniforms: List<UniformValue>,
+    public val textures: Map<Int, Int>,
+    public val state: DrawState,
+) : CapturedStep
+
+/**
+ * One enabled vertex attribute, as glVertexAttribPointer was told.
+ *
+ * @param buffer number in [Capture.buffers].
+ */
+public class CapturedAttribute(
+    public val location: Int,
+    public val size: Int,
+    public val type: Int,
+    public val normalized: Boolean,
+    public val stride: Int,
+    public val offset: Long,
+    public val buffer: Int,
+)
+
+/**
+ * The value of one uniform (one element, where it is an array).
+ *
+ * @param name as OpenGL writes it: `lights[2].color`.
+ * @param type `GL_FLOAT_VEC3` and its like; samplers hold their unit, booleans 0 or 1.
+ * @param numbers matrices column by column.
+ */
+public class UniformValue(
+    public val name: String,
+    public val type: Int,
+    public val numbers: FloatArray,
+)
+
+/** The fixed-function state that decides which fragments arrive and how they are mixed; OpenGL's own constants. */
+public data class DrawState(
+    public val viewport: List<Int>,
+    public val depthTest: Boolean,
+    public val depthFunc: Int,
+    public val depthMask: Boolean,
+    public val cullFace: Boolean,
+    public val cullMode: Int,
+    public val frontFace: Int,
+    public val blend: Boolean,
+    public val blendSource: Int,
+    public val blendDestination: Int,
+    public val polygonMode: Int,
+    public val framebufferSrgb: Boolean,
+)
+
+/**
+ * Something that happened beside the drawing.
+ *
+ * @param frame number in [Capture.frames] of the frame it happened in; −1 before the first.
+ * @param text what it is about (a uniform's name, a GL function, a log), at most 2000 characters.
+ */
+public class CapturedEvent(
+    public val kind: EventKind,
+    public val frame: Int,
+    public val text: String,
+)
+
+/** Kinds of [CapturedEvent]. */
+public enum class EventKind {
+    /** glGetUniformLocation answered −1; the text is the name asked for. */
+    UNIFORM_ABSENT,
+
+    /** A glUniform call without a program in use, or for another program; the text is the function. */
+    UNIFORM_WITHOUT_PROGRAM,
+
+    /** OpenGL reported an error; the text is its name and the function. */
+    GL_ERROR,
+
+    /** A shader did not compile; the text is the stage and the driver's log. */
+    SHADER_FAILED,
+
+    /** A program did not link; the text is the driver's log. */
+    LINK_FAILED,
+
+    /** The submission threw; the text is the exception with its first lines of the submission's own. */
+    EXCEPTION,
+
+    /** A draw or a texture that a capture cannot hold; the text says which. */
+    NOT_CAPTURED,
+
+    /** A draw samples a texture that lacks mipmaps which its filter asks for: OpenGL gives black; the text is the sampler. */
+    TEXTURE_INCOMPLETE,
+
+    /** A file that the submission asked for was not there and a stand-in was given; the text is its path. */
+    FILE_MISSING,
+}

@@ -1,0 +1,27 @@
+package cga.grading.compile
+
+/** A library by its Maven coordinates. */
+public data class Artifact(
+    public val group: String,
+    public val name: String,
+    public val version: String,
+) {
+    init {
+        // They become paths and addresses, and the version comes from a student's build file.
+        require(listOf(group, name, version).all { PART.matches(it) }) { "not the coordinates of a library: $group:$name:$version" }
+    }
+
+    /** The folder of all versions in a repository. */
+    internal val folder: String get() = "${group.replace('.', '/')}/$name"
+
+    /** The path of its file of type [extension] in a repository. */
+    internal fun path(extension: String): String = "$folder/$version/${fileName(extension)}"
+
+    internal fun fileName(extension: String): String = "$name-$version.$extension"
+
+    override fun toString(): String = "$group:$name:$version"
+
+    private companion object {
+        val PART = Regex("""[A-Za-z0-9_-]+(?:\.[A-Za-z0-9_-]+)*""")
+    }
+}

@@ -1,0 +1,32 @@
+package cga.grading.compile
+
+import java.nio.file.Path
+
+/**
+ * What became of a submission's sources.
+ *
+ * @param classes the folder with the compiled classes, null when they do not compile.
+ * @param runtime the libraries that the classes must be run with, besides those that were given: the Kotlin standard library.
+ * @param compiler which compiler at which level, for the report.
+ * @param errors what is wrong, in the compiler's order; empty when it compiles.
+ * @param notes what else the report should say, in full sentences.
+ */
+public class CompileResult(
+    public val classes: Path?,
+    public val runtime: List<Path>,
+    public val compiler: String,
+    public val errors: List<CompileError>,
+    public val notes: List<String>,
+)
+
+/**
+ * An error of a compiler.
+ *
+ * @param file below the submission's root, null where it is about no file.
+ * @param line from 1 on, 0 where there is none.
+ */
+public data class CompileError(
+    public val file: String?,
+    public val line: Int,
+    public val message: String,
+)

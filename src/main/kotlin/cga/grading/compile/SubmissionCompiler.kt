@@ -1,0 +1,80 @@
+package cga.grading.compile
+
+import cga.grading.sandbox.Job
+import cga.grading.sandbox.Limits
+import cga.grading.sandbox.Outcome
+import cga.grading.sandbox.Sandbox
+import cga.grading.sandbox.Scratch
+import cga.grading.submission.Submission
+import java.nio.file.Path
+import kotlin.io.path.createDirectories
+import kotlin.io.path.exists
+
+/**
+ * Compiles submissions inside a sandbox: with the newest Kotlin at its lowest level, then, where that fails, with the version that the
+ * build file names. Never runs a build script.
+ *
+ * @param libraries what submissions are compiled against besides the Kotlin standard library: LWJGL, JOML.
+ */
+public class SubmissionCompiler(
+    private val sandbox: Sandbox,
+    private val compilers: CompilerCache,
+    private val libraries: List<Path>,
+    private val limits: Limits = Limits(wallSeconds = 120.0, cpuSeconds = 180.0),
+) {
+    /**
+     * Compiles [submission] in [scratch], an existing folder of its own.
+     *
+     * @param replacements Kotlin sources by the qualified names of the classes that they take the place of; a file of the submission that
+     * declares one is left out as a whole.
+     *
+     * Throws [LibraryUnavailable] when there is no newest compiler; what is wrong with the submission is in the result.
+     */
+    public fun compile(submission: Submission, scratch: Path, replacements: Map<String, String> = emptyMap()): CompileResult {
+        val stage = Stage(scratch.toRealPath().resolve("sources"), submission.sources, replacements)
+        val first = attempt(compilers.newest(), stage, scratch.toRealPath())
+        if (first.classes != null) return first
+        val older = try {
+            compilers.named(submission.versions.kotlin)
+        } catch (e: LibraryUnavailable) {
+            return first.noting("No other compiler could be tried: ${e.message}")
+        } catch (e: IllegalArgumentException) {
+            return first.noting("No other compiler could be tried: ${e.message}")
+        }
+        if (older.version == CompilerCache.NEWEST) return first
+        val second = attempt(older, stage, scratch.toRealPath())
+        val failed = "It does not compile with ${first.compiler}"
+        return if (second.classes != null) {
+            second.noting("$failed, but with ${second.compiler}.")
+        } else {
+            // The compiler that the student had says what the student saw.
+            second.noting("$failed either (${first.errors.size} errors).")
+        }
+    }
+
+    private fun attempt(compiler: KotlinCompiler, stage: Stage, scratch: Path): CompileResult {
+        val classes = scratch.resolve("classes")
+        if (classes.exists()) Scratch.delete(classes)
+        classes.createDirectories()
+        val readable = libraries.map { compilers.readable(it, compiler) }
+        var outcome = run(compiler.command(listOf(stage.kotlin, stage.java), readable, classes), compiler.readable + readable, scratch)
+        if (outcome.isSuccess &&
+            stage.javaFiles.isNotEmpty()
+        ) {
+            outcome = run(javac(compiler, stage, classes), compiler.readable + libraries, scratch)
+        }
+        val errors = CompilerOutput.errors(outcome, stage)
+        return CompileResult(classes.takeIf { errors.isEmpty() }, listOf(compilers.newest().stdlib), compiler.title, errors, stage.notes)
+    }
+
+    private fun run(command: List<String>, readOnly: List<Path>, scratch: Path): Outcome =
+        sandbox.run(Job(command, scratch, readOnly, limits = limits))
+
+    private fun javac(compiler: KotlinCompiler, stage: Stage, classes: Path): List<String> {
+        val classPath = (listOf(classes, compiler.stdlib) + libraries).joinToString(":")
+        return listOf("${Path.of(System.getProperty("java.home"), "bin", "javac")}", "-J-XX:TieredStopAtLevel=1", "-J-XX:+UseSerialGC") +
+            listOf("-proc:none", "-nowarn", "-encoding", "UTF-8", "-d", "$classes", "-cp", classPath) + stage.javaFiles.map { "$it" }
+    }
+
+    private fun CompileResult.noting(note: String) = CompileResult(classes, runtime, compiler, errors, notes + note)
+}

@@ -1,0 +1,37 @@
+package cga.grading.findings
+
+/** A thing of the sheet that is judged by itself, with the task it belongs to. The rubric gives each its points and its tolerance. */
+public enum class Check(
+    public val id: String,
+    public val task: String,
+) {
+    POINT_LIGHT("4.2.light", "4.2"),
+    POINT_LIGHT_CHILD("4.2.child", "4.2"),
+    POINT_LIGHT_POSITION("4.2.position", "4.2"),
+    DIFFUSE("4.2.diffuse", "4.2"),
+    SPECULAR("4.2.specular", "4.2"),
+    NORMALS("4.2.normals", "4.2"),
+    INTERPOLATION("4.2.interpolation", "4.2"),
+    MATERIAL("4.2.material", "4.2"),
+    ORDER("4.2.order", "4.2"),
+    SPOT_LIGHT("4.3.light", "4.3"),
+    SPOT_LIGHT_CHILD("4.3.child", "4.3"),
+    SPOT_DIRECTION("4.3.direction", "4.3"),
+    CONE("4.3.cone", "4.3"),
+    CONE_SPECULAR("4.3.specular", "4.3"),
+    ATTENUATION_FORM("4.3.4.form", "4.3"),
+    ATTENUATION_POINT("4.3.4.point", "4.3"),
+    ATTENUATION_SPOT("4.3.4.spot", "4.3"),
+    GROUND_COLOR("4.4.ground", "4.4"),
+    EMISSION("4.4.emission", "4.4"),
+    MOTORCYCLE_COLOR("4.4.motorcycle", "4.4"),
+    LIGHT_COLOR("4.4.light", "4.4"),
+    ORBIT("4.5.orbit", "4.5"),
+    ORBIT_PIVOT("4.5.pivot", "4.5"),
+    ORBIT_HORIZON("4.5.horizon", "4.5"),
+    ORBIT_FACTOR("4.5.factor", "4.5"),
+    ORBIT_START("4.5.start", "4.5"),
+    MORE_LIGHTS("4.6.lights", "4.6"),
+    MORE_LIGHTS_SHADING("4.6.shading", "4.6"),
+    HALF_VECTOR("4.7.halfvector", "4.7"),
+}

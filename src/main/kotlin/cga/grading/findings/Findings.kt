@@ -1,0 +1,72 @@
+package cga.grading.findings
+
+/**
+ * What was measured of one submission. The analysis writes it, the parent reads it and makes points of it; it holds no points itself.
+ *
+ * @param checks one entry for each [Check], reached or not.
+ * @param mistakes the hypotheses that explain what differs, most telling first.
+ */
+public class Findings(
+    public val checks: List<Measured>,
+    public val mistakes: List<Found>,
+    public val plots: List<Plot>,
+    public val pictures: List<Evidence>,
+    public val notes: List<String>,
+)
+
+/**
+ * How far one check is from the truth.
+ *
+ * @param error relative to what is expected: 0 is exact, 1 is all of it; null where it could not be measured.
+ * @param text the figures behind it, for the report: what was measured and what was expected.
+ * @param found false where the submission has nothing there that could be measured (no spotlight, no orbit): that earns nothing. Without
+ *   an [error] and yet found, it could not be measured (not separable): a person has to look.
+ */
+public class Measured(
+    public val check: Check,
+    public val error: Double?,
+    public val text: String,
+    public val found: Boolean = true,
+)
+
+/**
+ * A mistake that was recognised.
+ *
+ * @param fit what is left of the difference when the mistake is assumed, relative to the picture; 0 explains all.
+ * @param difference how far the submission is from the truth without it.
+ * @param where which light, object or file; the submission's own name of it where there is one.
+ * @param alternatives mistakes that draw the same picture and that nothing tells apart.
+ * @param explains checks that fail only because of this mistake: they are not charged again, found or not. Null where that was not
+ *   determined: then those count that the mistake disturbs by its nature.
+ */
+public class Found(
+    public val mistake: Mistake,
+    public val fit: Double,
+    public val difference: Double,
+    public val where: String,
+    public val alternatives: List<Mistake> = emptyList(),
+    public val explains: Set<Check>? = null,
+)
+
+/** A measured curve and the one expected, over the same [x]. */
+public class Plot(
+    public val check: Check,
+    public val title: String,
+    public val xLabel: String,
+    public val yLabel: String,
+    public val x: DoubleArray,
+    public val measured: DoubleArray,
+    public val expected: DoubleArray,
+)
+
+/**
+ * Pictures that prove something: PNG files beside the findings.
+ *
+ * @param measured file name of what the submission draws; [expected] of what it should draw, null where there is nothing to compare.
+ */
+public class Evidence(
+    public val check: Check?,
+    public val title: String,
+    public val measured: String,
+    public val expected: String?,
+)

@@ -1,0 +1,53 @@
+package cga.grading.pipeline
+
+import cga.framework.InputError
+import cga.grading.findings.FailureReason
+import cga.grading.findings.Findings
+import cga.grading.findings.FindingsFile
+import cga.grading.sandbox.JavaCommand
+import cga.grading.sandbox.Job
+import cga.grading.sandbox.Limits
+import cga.grading.sandbox.SafeFiles
+import cga.grading.sandbox.Sandbox
+import cga.grading.submission.Submission
+import java.nio.file.Path
+import kotlin.io.path.writeBytes
+
+/** Measures a capture in the sandbox, in a process that has none of the submission's classes: only its shaders run there. */
+internal class MeasureStep(
+    private val sandbox: Sandbox,
+    private val programs: Programs,
+) {
+    /** The findings, their pictures put into [folder]. Throws [Stopped]. */
+    fun measure(submission: Submission, capture: Path, scratch: Path, folder: Path, run: Run): Findings {
+        val arguments = listOf(capture.toString(), scratch.toString(), submission.edition.edition.id)
+        val command = JavaCommand(programs.own, MAIN, arguments).command()
+        val outcome = sandbox.run(Job(command, scratch, programs.own + listOf(capture), JavaCommand.MESA, limits = LIMITS))
+        run.note("measuring", outcome)
+        checkEnd("Measuring", outcome, CODES)
+        return try {
+            FindingsFile.read(scratch).also { copyPictures(it, scratch, folder) }
+        } catch (e: InputError) {
+            throw Stopped(FailureReason.CAPTURE_UNREADABLE, e.message.orEmpty())
+        }
+    }
+
+    private fun copyPictures(findings: Findings, from: Path, to: Path) {
+        for (name in findings.pictures.flatMap { listOfNotNull(it.measured, it.expected) }.distinct()) {
+            to.resolve(name).writeBytes(SafeFiles.read(from, name, MOST_PICTURE_BYTES))
+        }
+    }
+
+    private companion object {
+        const val MAIN = "cga.grading.analysis.AnalysisMain"
+        const val MOST_PICTURE_BYTES = 16L shl 20
+        val CODES =
+            mapOf(
+                2 to FailureReason.INTERNAL,
+                3 to FailureReason.CAPTURE_UNREADABLE,
+                4 to FailureReason.NOT_REPRODUCIBLE,
+                5 to FailureReason.NOTHING_DRAWN,
+            )
+        val LIMITS = Limits(wallSeconds = 120.0, cpuSeconds = 120.0)
+    }
+}

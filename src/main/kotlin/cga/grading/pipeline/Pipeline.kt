@@ -1,0 +1,103 @@
+package cga.grading.pipeline
+
+import cga.framework.InputError
+import cga.grading.compile.CompilerCache
+import cga.grading.compile.LibraryUnavailable
+import cga.grading.compile.SubmissionCompiler
+import cga.grading.course.CheckListener
+import cga.grading.course.GradeOne
+import cga.grading.findings.FailureReason
+import cga.grading.findings.Graded
+import cga.grading.findings.Outcome
+import cga.grading.sandbox.Sandbox
+import cga.grading.sandbox.Scratch
+import cga.grading.submission.Edition
+import cga.grading.submission.NotASubmission
+import cga.grading.submission.Submission
+import cga.grading.submission.SubmissionReader
+import java.nio.file.Path
+import kotlin.io.path.createDirectories
+
+/**
+ * From a folder or an archive to what was measured of it: unpack, compile, run, measure. Each step that touches what a student wrote is a
+ * process of its own in [sandbox]; a step that fails ends it with the reason.
+ *
+ * @param edition the sheet's, null where each submission's is detected.
+ * @param home where the compilers and the worker are kept between runs.
+ */
+public class Pipeline(
+    private val sandbox: Sandbox,
+    private val edition: Edition?,
+    home: Path,
+) : GradeOne {
+    private val programs = Programs(home)
+    private val compiler = SubmissionCompiler(sandbox, CompilerCache(home), programs.forSubmissions)
+
+    override fun grade(submission: Path, folder: Path, listener: CheckListener): Outcome {
+        val work = folder.toRealPath().resolve("work").createDirectories()
+        val run = Run()
+        return try {
+            grade(submission, folder, work, run).also { if (it is Graded) it.findings.checks.forEach(listener::measured) }
+        } catch (e: Stopped) {
+            run.refused(e.reason, e.detail)
+        } finally {
+            Scratch.delete(work)
+        }
+    }
+
+    private fun grade(given: Path, folder: Path, work: Path, run: Run): Outcome {
+        val submission = run.timed("unpack") { read(given, work.resolve("unpacked")) }
+        run.kind = submission.kind.name.lowercase()
+        run.edition = submission.edition.edition.title
+        val main = submission.mainClass ?: throw Stopped(FailureReason.NOT_RECOGNIZED, "There is no main function to start.")
+        val compiled = run.timed("compile") { compile(submission, work.resolve("compile").createDirectories(), run) }
+        val capture = run.timed("run") {
+            CaptureStep(sandbox, programs).capture(submission, main, compiled, work.resolve("run").createDirectories(), run)
+        }
+        return run
+            .timed("measure") {
+                MeasureStep(sandbox, programs).measure(submission, capture, work.resolve("measure").createDirectories(), folder, run)
+            }.let { run.graded(it, submission.notes + compiled.notes) }
+    }
+
+    private fun read(given: Path, unpackTo: Path): Submission =
+        try {
+            SubmissionReader.read(given, unpackTo, edition)
+        } catch (e: NotASubmission) {
+            throw Stopped(FailureReason.NOT_RECOGNIZED, e.message.orEmpty())
+        } catch (e: InputError) {
+            throw Stopped(FailureReason.UNPACK_REFUSED, e.message.orEmpty())
+        }
+
+    private fun compile(submission: Submission, scratch: Path, run: Run): Compiled {
+        val window = submission.sources.firstOrNull {
+            it.packageName == "cga.framework" &&
+                it.path.fileName.toString().substringBeforeLast('.') == "GameWindow"
+        }
+        val result =
+            try {
+                compiler.compile(submission, scratch, mapOf("cga.framework.GameWindow" to programs.standIn(window?.text)))
+            } catch (e: LibraryUnavailable) {
+                throw Stopped(FailureReason.NO_COMPILER, e.message.orEmpty())
+            }
+        run.compiler = result.compiler
+        val classes = result.classes
+        if (classes == null) {
+            val lines = result.errors.map { e -> listOfNotNull(e.file, e.line.takeIf { it > 0 }).joinToString(":") + ": " + e.message }
+            run.log("compiler", lines.joinToString("\n"))
+            throw Stopped(FailureReason.DOES_NOT_COMPILE, lines.take(MOST_ERRORS).joinToString("\n"))
+        }
+        return Compiled(classes, result.runtime, result.notes)
+    }
+
+    private companion object {
+        const val MOST_ERRORS = 5
+    }
+}
+
+/** A submission's classes, the libraries they need besides ours, and what the report should say of how they were compiled. */
+internal class Compiled(
+    val classes: Path,
+    val runtime: List<Path>,
+    val notes: List<String>,
+)

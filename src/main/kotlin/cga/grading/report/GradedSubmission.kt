@@ -1,0 +1,36 @@
+package cga.grading.report
+
+import cga.grading.findings.Graded
+import cga.grading.findings.Outcome
+import cga.grading.findings.Refused
+import cga.grading.rubric.Grade
+import cga.grading.rubric.Rubric
+import java.nio.file.Path
+
+/**
+ * One submission, ready to be reported on.
+ *
+ * @param name as its folder or archive is called.
+ * @param folder where its evidence lies and its page goes; its name is plain.
+ * @param seconds wall time of the whole.
+ */
+public class GradedSubmission(
+    public val name: String,
+    public val folder: Path,
+    public val outcome: Outcome,
+    public val rubric: Rubric,
+    public val seconds: Double,
+) {
+    /** Null where it was refused. */
+    public val grade: Grade? = (outcome as? Graded)?.let { Grade.of(it.findings, rubric) }
+
+    /** Null where there is nobody to blame but the grader or its machine. */
+    public val points: Double? get() = grade?.points ?: if (refusal?.reason?.isItsOwn == true) 0.0 else null
+
+    public val refusal: Refused? get() = outcome as? Refused
+
+    public companion object {
+        /** Name of the page in [folder]. */
+        public const val PAGE: String = "report.html"
+    }
+}

@@ -1,0 +1,74 @@
+package cga.grading.report
+
+import cga.grading.findings.Findings
+import cga.grading.findings.Found
+import cga.grading.findings.Mistake
+import cga.grading.rubric.CheckState
+import cga.grading.rubric.Grade
+import cga.grading.rubric.Rubric
+import kotlinx.html.FlowContent
+import kotlinx.html.details
+import kotlinx.html.div
+import kotlinx.html.h2
+import kotlinx.html.p
+import kotlinx.html.section
+import kotlinx.html.span
+import kotlinx.html.summary
+
+/** A card for each mistake: what it is, what it costs, a hint, and the pictures that prove it. */
+internal fun FlowContent.mistakes(findings: Findings, grade: Grade, rubric: Rubric, pictures: EvidencePictures, messages: Messages) {
+    val mistakes = findings.mistakes.distinctBy { it.mistake to it.where }
+    if (mistakes.isEmpty()) {
+        if (grade.checks.all { it.state == CheckState.RIGHT }) p("faultless pass") { +("✓ " + messages.text("page.faultless")) }
+        return
+    }
+    h2("heading") { +messages.text("page.mistakes") }
+    val told = mutableSetOf<Any>()
+    for (found in mistakes) {
+        val lost = if (found.mistake != Mistake.UNKNOWN && told.add(found.mistake.check)) lost(found, grade, rubric) else 0.0
+        val proofs = if (told.add("proofs of ${found.mistake.check}")) pictures.proofs(found.mistake.check) else emptyList()
+        card(found, lost, proofs, messages)
+    }
+}
+
+private fun lost(found: Found, grade: Grade, rubric: Rubric): Double =
+    grade.checks.first { it.check == found.mistake.check }.let { it.maximum - (it.points ?: it.maximum) }.coerceAtMost(rubric.total)
+
+private fun FlowContent.card(found: Found, lost: Double, proofs: List<EvidenceView>, messages: Messages) {
+    val words = messages.of(found.mistake)
+    section(if (lost > 0 || found.mistake == Mistake.UNKNOWN) "case fail" else "case warn") {
+        details {
+            open = true
+            summary {
+                h2 { +words.title }
+                // What has no name costs where it is measured.
+                if (found.mistake != Mistake.UNKNOWN) span("cost") { +cost(found, lost, messages) }
+            }
+            p { +words.text }
+            if (found.where.isNotBlank()) p("figures") { +"${messages.text("page.where")}: ${cleanLine(found.where)}" }
+            if (found.alternatives.isNotEmpty()) {
+                p {
+                    +messages.text(
+                        "page.or",
+                        found.alternatives.joinToString("; ") { messages.of(it).title },
+                    )
+                }
+            }
+            hint(words.hint, messages)
+            proofs.take(MOST_PROOFS).forEach { proof(it, messages) }
+            if (found.mistake != Mistake.UNKNOWN && found.difference > 0) {
+                p("note") { +messages.text("page.fit", messages.percent((found.fit / found.difference).coerceIn(0.0, 1.0))) }
+            }
+        }
+    }
+}
+
+private fun FlowContent.proof(view: EvidenceView, messages: Messages) {
+    p("caption") { +cleanLine(view.evidence.title) }
+    div(if (view.expected == null) "alone" else "pairing") { pair(view, messages) }
+}
+
+private fun cost(found: Found, lost: Double, messages: Messages): String =
+    if (lost > 0) "−${messages.number(lost)} · ${messages.of(found.mistake.check).title}" else messages.text("page.costs-nothing")
+
+private const val MOST_PROOFS = 3

@@ -1,0 +1,80 @@
+package cga.grading.rubric
+
+import cga.grading.findings.Check
+import cga.grading.findings.Findings
+import cga.grading.findings.Found
+import cga.grading.findings.Measured
+import cga.grading.findings.Mistake
+import kotlin.math.floor
+
+/**
+ * The points of one submission. A defect costs once, where it belongs:
+ *
+ * 1. A mistake with a name costs the check that it belongs to, by the share of the rubric; the same mistake twice, or two mistakes of one
+ *    check, cost it once.
+ * 2. What that mistake is known to explain keeps its points, found or not ([Found.explains], where the analysis determined it).
+ * 3. What was not measured stays open: a person looks. What the submission does not have earns nothing.
+ * 4. An error within the tolerance earns all points.
+ * 5. A larger one costs nothing either where a mistake that was charged elsewhere disturbs this check by its nature or draws the same
+ *    picture as one of this check; else it costs by its size.
+ *
+ * [Mistake.UNKNOWN] is no name: it neither costs nor explains anything, and the errors speak for themselves.
+ */
+public class Grade private constructor(
+    public val tasks: List<TaskGrade>,
+) {
+    public val maximum: Double get() = tasks.sumOf { it.maximum }
+    public val points: Double get() = tenths(tasks.sumOf { it.points })
+
+    /** Points that a person has yet to give or to refuse. */
+    public val open: Double get() = tenths(tasks.sumOf { it.open })
+
+    /** Every check in the sheet's order. */
+    public val checks: List<CheckGrade> get() = tasks.flatMap { it.checks }
+
+    public companion object {
+        /** The points that [findings] earn by [rubric]. */
+        public fun of(findings: Findings, rubric: Rubric): Grade {
+            val measured = findings.checks.associateBy { it.check }
+            val mistakes = findings.mistakes.filter { it.mistake != Mistake.UNKNOWN }
+            val grades = Check.entries.map { grade(it, measured[it], mistakes, rubric) }
+            return Grade(grades.groupBy { it.check.task }.map { (task, checks) -> TaskGrade(task, checks) })
+        }
+
+        private fun grade(check: Check, measured: Measured?, mistakes: List<Found>, rubric: Rubric): CheckGrade {
+            val rule = rubric.rule(check)
+
+            fun result(state: CheckState, share: Double?, cause: Mistake? = null) =
+                CheckGrade(
+                    check, state, rule.points,
+                    share?.let {
+                        tenths(
+                            it * rule.points,
+                        )
+                    },
+                    measured?.error, cause, measured?.text.orEmpty(),
+                )
+            val own = mistakes.filter { it.mistake.check == check }.map { it.mistake }.maxByOrNull(rubric::cost)
+            val others = mistakes.filter { it.mistake.check != check }
+            val error = measured?.error
+            val explanation = others.find { it.explains?.contains(check) == true }
+            return when {
+                own != null -> result(CheckState.MISTAKE, 1 - rubric.cost(own), own)
+                explanation != null && !(error != null && error <= rule.tolerance) -> result(CheckState.EXPLAINED, 1.0, explanation.mistake)
+                measured == null || (error == null && measured.found) -> result(CheckState.OPEN, null)
+                error == null || !measured.found -> result(CheckState.NOT_FOUND, 0.0)
+                error <= rule.tolerance -> result(CheckState.RIGHT, 1.0)
+                else -> {
+                    val cause = others.find { it.disturbs(check) }
+                    if (cause != null) result(CheckState.EXPLAINED, 1.0, cause.mistake) else result(CheckState.INEXACT, rule.share(error))
+                }
+            }
+        }
+
+        private fun Found.disturbs(check: Check) =
+            alternatives.any { it.check == check } || (explains == null && check in disturbedBy(mistake))
+
+        /** Half a tenth is rounded up; the small addend undoes what binary fractions lack (0.15 is a little less than 0.15). */
+        private fun tenths(points: Double) = floor(points * 10 + 0.5 + 1e-9) / 10
+    }
+}

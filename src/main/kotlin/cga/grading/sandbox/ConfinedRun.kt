@@ -1,0 +1,63 @@
+package cga.grading.sandbox
+
+import cga.framework.InputError
+import java.io.File
+import java.io.IOException
+import java.nio.file.Files
+import kotlin.io.path.createTempFile
+import kotlin.io.path.deleteIfExists
+import kotlin.io.path.fileSize
+import kotlin.io.path.readText
+
+/** Runs jobs inside a [Confinement]. */
+internal class ConfinedRun(
+    private val confinement: Confinement,
+) : Sandbox {
+    override fun run(job: Job): Outcome {
+        val status = createTempFile("cga-sandbox-status")
+        try {
+            val outcome = Watch(job, start(job, confinement.command(job, status), emptyMap())).untilEnd()
+            // Bubblewrap's own failures end it like a job of exit code 1, but then there was no job.
+            val hasRun = status.fileSize() < LONGEST_STATUS && "exit-code" in status.readText()
+            if (outcome.end is End.Exited && !hasRun) {
+                throw InputError("the sandbox did not start ${job.command.first()}: ${outcome.errors.trim()}")
+            }
+            return outcome
+        } finally {
+            status.deleteIfExists()
+        }
+    }
+
+    private companion object {
+        const val LONGEST_STATUS = 10_000L
+    }
+}
+
+/** Runs jobs with limits only. */
+internal class UnconfinedRun : Sandbox {
+    override fun run(job: Job): Outcome {
+        val limited = Limited.command(job, user = null, ownTasks = false)
+        // A session of its own is how orphans are recognised.
+        val environment = job.fullEnvironment() + ("TMPDIR" to System.getProperty("java.io.tmpdir"))
+        return Watch(job, start(job, listOf("setsid") + limited, environment)).untilEnd()
+    }
+}
+
+private fun start(job: Job, command: List<String>, environment: Map<String, String>): Process {
+    listOf(
+        job.scratch,
+        job.workingDirectory,
+    ).firstOrNull { !Files.isDirectory(it) }?.let { throw InputError("the folder $it does not exist.") }
+    val builder = ProcessBuilder(command).redirectInput(File("/dev/null"))
+    builder.environment().run {
+        val path = this["PATH"]
+        clear()
+        path?.let { put("PATH", it) }
+        putAll(environment)
+    }
+    return try {
+        builder.start()
+    } catch (e: IOException) {
+        throw InputError("${command.first()} cannot be started (${e.message}): is it installed?", e)
+    }
+}

@@ -1,0 +1,89 @@
+package cga.grading.scene
+
+import cga.grading.findings.Check
+import cga.grading.findings.Mistake
+import org.joml.Vector3d
+import org.joml.Vector3dc
+import kotlin.math.abs
+
+/** Do the motorcycle's two lights fade as the sheet's table says? What form the attenuation has is for the study of the shader. */
+internal class AttenuationJudge(
+    private val roles: LightRoles,
+    private val profile: SceneProfile,
+    private val book: Notebook,
+) {
+    private val pointK = profile.pointK
+    private val spotK = profile.spotK
+
+    fun judge() {
+        val point = measure(roles.own, pointK, Check.ATTENUATION_POINT, "no point light fades")
+        val spot = measure(roles.spot, spotK, Check.ATTENUATION_SPOT, "no spotlight fades")
+        name(point, spot)
+    }
+
+    /** A light's K that differs from the table's. */
+    private class Other(
+        val light: LightTrack,
+        val k: Vector3dc,
+        val error: Double,
+    )
+
+    /** Puts the check down, and returns the light where it is wrong. */
+    private fun measure(
+        light: LightTrack?,
+        expected: Vector3dc?,
+        check: Check,
+        missing: String,
+    ): Other? {
+        if (light == null) {
+            book.measured(check, 1.0, missing)
+            return null
+        }
+        val k = light.last.k
+        val error = if (expected == null) (if (isConstant(k)) 1.0 else 0.0) else difference(k, expected)
+        val wanted = if (expected == null) "any that fades" else expected.text()
+        book.measured(check, error, "${light.name}: K = ${k.text()}, wanted $wanted")
+        if (!k.isFinite || k.maxAbs() < NOTHING) book.missing += "the attenuation of ${light.name}"
+        return if (error > NAMED) Other(light, k, error) else null
+    }
+
+    private fun name(
+        point: Other?,
+        spot: Other?,
+    ) {
+        val wrong = listOfNotNull(point, spot)
+        if (wrong.isEmpty()) return
+        val where = wrong.joinToString(" and ") { it.light.name }
+        val error = wrong.maxOf { it.error }
+        when {
+            wrong.all { isConstant(it.k) } -> book.found(Mistake.ATTENUATION_MISSING, 0.0, error, where)
+            pointK == null || spotK == null -> book.found(Mistake.ATTENUATION_OTHER_K, 1.0, error, where)
+            point == null && spot != null && difference(spot.k, pointK) <= NAMED -> {
+                book.found(Mistake.ATTENUATION_ONE_K, difference(spot.k, pointK), error, where)
+            }
+            spot == null && point != null && roles.spot != null && difference(point.k, spotK) <= NAMED -> {
+                book.found(Mistake.ATTENUATION_LAST_K, difference(point.k, spotK), error, where)
+            }
+            wrong.all { it.k.z() == 0.0 || abs(it.k.z()) < NOTHING } && wrong.all { it.k.y() > 0 } -> {
+                book.found(Mistake.ATTENUATION_LINEAR, 0.0, error, where)
+            }
+            else -> book.found(Mistake.ATTENUATION_OTHER_K, 0.0, error, where)
+        }
+    }
+
+    private companion object {
+        const val NAMED = 0.03
+        const val NOTHING = 1e-6
+
+        /** World units: from beside the motorcycle to the corners of the ground. */
+        val DISTANCES = listOf(0.5, 1.0, 2.0, 4.0, 8.0, 16.0)
+
+        fun isConstant(k: Vector3dc) = abs(k.y()) < NOTHING && abs(k.z()) < NOTHING && k.x() > 0
+
+        /** The largest relative difference of the two factors over all [DISTANCES]. */
+        fun difference(
+            k: Vector3dc,
+            expected: Vector3dc,
+        ): Double = DISTANCES.maxOf { d -> Vector3d(1.0, d, d * d).let { abs(expected.dot(it) / k.dot(it) - 1) } }
+    }
+}

@@ -1,0 +1,114 @@
+package cga.grading.scene
+
+import cga.grading.capture.Moment
+import cga.grading.findings.Check
+import cga.grading.findings.Mistake
+import org.joml.Vector3d
+import org.joml.Vector3dc
+import kotlin.math.max
+
+/** Task 4.4: the ground's colour stays, the motorcycle's changes with time, its light shines in the same. */
+internal class ColorJudge(
+    private val timeline: Timeline,
+    private val roles: LightRoles,
+    private val book: Notebook,
+) {
+    private class Tint(
+        val moment: Moment,
+        val time: Double,
+        val color: Vector3dc,
+    )
+
+    fun judge() {
+        val ground = tints(timeline.cast.ground)
+        val motorcycle = tints(timeline.cast.motorcycle)
+        ground(ground)
+        motorcycle(motorcycle)
+        light(motorcycle)
+        if (ground.isEmpty() && motorcycle.isEmpty() && timeline.laterShots.isNotEmpty()) {
+            book.found(Mistake.EMISSION_COLOR_IGNORED, 0.0, 1.0, "ground and motorcycle", listOf(Mistake.COLOR_CONSTANT))
+        }
+    }
+
+    private fun tints(track: Track?): List<Tint> =
+        timeline.frames.filter { it.moment != Moment.FIRST }.mapNotNull { frame ->
+            track?.of(frame)?.tint?.takeIf { it.isFinite }?.let { Tint(frame.moment, frame.time, it) }
+        }
+
+    private fun ground(tints: List<Tint>) {
+        if (timeline.cast.ground == null) return book.measured(Check.GROUND_COLOR, null, "there is no ground to be seen")
+        if (tints.isEmpty()) return book.measured(Check.GROUND_COLOR, 1.0, "no colour is multiplied with the ground's emission")
+        val color = tints.last().color
+        val change = spread(tints) / max(tints.maxOf { it.color.maxAbs() }, DARK)
+        when {
+            change > STILL -> book.measured(Check.GROUND_COLOR, change, "the ground's colour changes: ${list(tints)}")
+            color.distance(WHITE) < PLAIN -> book.measured(Check.GROUND_COLOR, 1.0, "the ground's colour is white: nothing changes")
+            color.maxAbs() < PLAIN -> book.measured(Check.GROUND_COLOR, 1.0, "the ground's colour is black")
+            else -> book.measured(Check.GROUND_COLOR, 0.0, "the ground's colour is ${color.text()}")
+        }
+    }
+
+    private fun motorcycle(tints: List<Tint>) {
+        if (tints.isEmpty()) return book.measured(Check.MOTORCYCLE_COLOR, 1.0, "no colour is multiplied with the motorcycle's emission")
+        val standing = tints.filter { it.moment in STANDING }
+        if (standing.size < 2) return book.measured(Check.MOTORCYCLE_COLOR, null, "too few frames")
+        if (spread(tints) > CHANGE) return book.measured(Check.MOTORCYCLE_COLOR, 0.0, "the motorcycle's colour: ${list(standing)}")
+        book.measured(Check.MOTORCYCLE_COLOR, 1.0, "the motorcycle's colour is always ${tints.last().color.text()}")
+        book.found(Mistake.COLOR_CONSTANT, 0.0, 1.0, "motorcycle")
+    }
+
+    private fun light(tints: List<Tint>) {
+        val own = roles.own ?: return book.measured(Check.LIGHT_COLOR, 1.0, "there is no point light at the motorcycle")
+        val changes = spread(tints) > CHANGE
+        val isPlain = tints.isEmpty() || tints.last().color.distance(WHITE) < PLAIN
+        if (!changes && (own.changesColor || isPlain)) {
+            // Sines on the light alone: what is missing is the motorcycle's colour, and costs there.
+            val (error, what) = if (own.changesColor) 0.0 to "changes" else 1.0 to "never changes"
+            return book.measured(Check.LIGHT_COLOR, error, "${own.name} $what its colour")
+        }
+        val pairs = tints.mapNotNull { tint -> own.at(tint.moment)?.let { tint to it.color } }
+        if (pairs.isEmpty()) return book.measured(Check.LIGHT_COLOR, null, "${own.name} is in no frame")
+        val slack = speed(tints) * SLACK
+        // A sine may be negative: a colour below 0 is none, for the emission and the light alike.
+        val error = minOf(difference(pairs, slack) { it }, difference(pairs, slack) { Vector3d(it).max(Vector3d()) })
+        book.measured(Check.LIGHT_COLOR, error, "${own.name} ${own.last.color.text()}, the motorcycle ${tints.last().color.text()}")
+        if (error > DIFFERS) book.found(Mistake.LIGHT_COLOR_DIFFERS, 0.0, error, own.name)
+    }
+
+    /** Of light colours from the tints times one intensity, relative; [slack] of each difference is forgiven. */
+    private fun difference(
+        pairs: List<Pair<Tint, Vector3dc>>,
+        slack: Double,
+        seen: (Vector3dc) -> Vector3dc,
+    ): Double {
+        val both = pairs.map { (tint, color) -> seen(tint.color) to seen(color) }
+        val intensity = both.sumOf { (tint, color) -> tint.dot(color) } / both.sumOf { (tint, _) -> tint.lengthSquared() }
+        if (!(intensity > 0)) return 1.0
+        val largest = both.maxOf { (tint, _) -> tint.length() }
+        return both.maxOf { (tint, color) -> max(0.0, color.div(intensity, Vector3d()).distance(tint) - slack) } / largest
+    }
+
+    /** The fastest change of colour between frames that follow each other closely, a second. */
+    private fun speed(tints: List<Tint>): Double =
+        tints.zipWithNext().filter { (a, b) -> b.time > a.time && b.time - a.time <= CLOSE }.maxOfOrNull { (a, b) ->
+            a.color.distance(b.color) / (b.time - a.time)
+        } ?: 0.0
+
+    private fun spread(tints: List<Tint>): Double = tints.maxOfOrNull { it.color.distance(tints.first().color) } ?: 0.0
+
+    private fun list(tints: List<Tint>) = tints.joinToString { it.color.text() }
+
+    private companion object {
+        val WHITE: Vector3dc = Vector3d(1.0)
+        val STANDING = setOf(Moment.SECOND, Moment.TIME_1, Moment.TIME_2, Moment.TIME_3, Moment.TIME_4)
+        const val DARK = 1e-6
+        const val PLAIN = 0.02
+        const val STILL = 0.01
+        const val CHANGE = 0.03
+        const val DIFFERS = 0.03
+
+        /** Seconds: one update may already be behind or ahead of the picture, and a picture of the next. */
+        const val SLACK = 2.0 / 60
+        const val CLOSE = 0.05
+    }
+}

@@ -1,0 +1,140 @@
+package cga.grading.scene
+
+import cga.grading.capture.Moment
+import cga.grading.findings.Check
+import cga.grading.findings.Mistake
+import org.joml.Matrix3d
+import org.joml.Matrix3dc
+import org.joml.Vector3d
+import org.joml.Vector3dc
+
+/** A hypothesis about the headlight's direction: [matrix] times something constant. */
+internal enum class Aim(
+    val mistake: Mistake?,
+    val text: String,
+    val matrix: (Shot) -> Matrix3dc,
+) {
+    CHILD(null, "turns with the motorcycle", { Matrix3d(it.viewTurn).mul(it.motorcycleTurn) }),
+    WORLD(Mistake.SPOT_DIRECTION_WORLD, "is the world direction, without the view matrix", { it.motorcycleTurn }),
+    CONSTANT(Mistake.SPOT_DIRECTION_LOCAL, "is the same numbers whatever the camera and the motorcycle do", { Matrix3d() }),
+    STATIC(Mistake.SPOT_DIRECTION_LOCAL, "does not turn with the motorcycle", { it.viewTurn }),
+    INVERSE(Mistake.SPOT_DIRECTION_WORLD, "went through the camera's matrix instead of its inverse", {
+        Matrix3d(it.viewTurn).transpose().mul(it.motorcycleTurn)
+    }),
+}
+
+/** Does the headlight point where the motorcycle goes, and a little down? */
+internal class DirectionJudge(
+    private val timeline: Timeline,
+    private val roles: LightRoles,
+    private val book: Notebook,
+) {
+    private class Aimed(
+        val direction: Vector3d,
+        val residual: Double,
+    )
+
+    private class Sample(
+        val shot: Shot,
+        val direction: Vector3dc,
+    )
+
+    fun judge() {
+        val spot = roles.spot ?: return
+        val shots = if (spot.placed.late) timeline.settledShots else timeline.laterShots
+        val samples =
+            shots.mapNotNull { shot ->
+                val direction = spot.at(shot.moment)?.spot?.direction?.let { Vector3d(it) }
+                if (direction == null || !direction.isFinite || direction.length() < NONE) null else Sample(shot, direction.normalize())
+            }
+        if (samples.isEmpty()) return noDirection(spot)
+        val aims = Aim.entries.associateWith { aimed(it, samples) }
+        val aim = aims.keys.find { (aims[it]?.residual ?: Double.MAX_VALUE) <= HOLDS }
+        val child = aims.getValue(Aim.CHILD)
+        when {
+            aim == Aim.CHILD -> sign(spot, samples.first(), child)
+            aim == Aim.STATIC && spot.placed.place?.rides == false -> {
+                book.measured(Check.SPOT_DIRECTION, 0.0, "the direction stays with the light, which does not ride along: costs there")
+            }
+            else -> wrongSpace(spot, aim, aims)
+        }
+    }
+
+    private fun noDirection(spot: LightTrack) {
+        book.measured(Check.SPOT_DIRECTION, 1.0, "${spot.name} has no direction: it is zero or no number")
+        book.missing += "the direction of ${spot.name}"
+    }
+
+    private fun wrongSpace(
+        spot: LightTrack,
+        aim: Aim?,
+        aims: Map<Aim, Aimed>,
+    ) {
+        val error = aims.getValue(Aim.CHILD).residual
+        val best = aim ?: Aim.entries.minBy { aims.getValue(it).residual }.takeIf { aims.getValue(it).residual < TELLS * error }
+        val what = best?.text ?: "is off by up to ${Math.toDegrees(error).text()}° from one that turns with the motorcycle"
+        book.measured(Check.SPOT_DIRECTION, error, "the direction of ${spot.name} $what")
+        val mistake = best?.mistake ?: return
+        // Of a motorcycle that never turned nobody can say which of the two it was.
+        val same = Aim.entries.filter { aims.getValue(it).residual <= HOLDS }.mapNotNull { it.mistake }.distinct() - mistake
+        book.found(mistake, aims.getValue(best).residual, error, spot.name, same)
+    }
+
+    private fun sign(
+        spot: LightTrack,
+        sample: Sample,
+        child: Aimed,
+    ) {
+        val world = Matrix3d(sample.shot.viewTurn).transpose().transform(Vector3d(sample.direction))
+        val forwards = ahead(sample.shot).map { it.dot(world) }
+        val backwards = forwards.isNotEmpty() && forwards.all { it < -BEHIND }
+        val what = "the direction of ${spot.name} is ${world.text()} in the world"
+        val fault =
+            when {
+                backwards && world.y > 0 -> "backwards and up"
+                backwards -> "backwards"
+                world.y > LEVEL -> "up"
+                else -> null
+            }
+        if (fault != null) {
+            book.measured(Check.SPOT_DIRECTION, 1.0, "$what: it points $fault")
+            book.found(Mistake.SPOT_DIRECTION_SIGN, child.residual, 1.0, "${spot.name} points $fault")
+        } else {
+            book.measured(Check.SPOT_DIRECTION, child.residual, what)
+            if (world.y > -LEVEL) book.note("The headlight ${spot.name} is level; the sheet wants it tilted down a little.")
+        }
+    }
+
+    /** Where the motorcycle goes, and where the camera looks: forwards by either is forwards. Unit vectors in the world. */
+    private fun ahead(shot: Shot): List<Vector3d> {
+        val looking = shot.motorcycle.translation().sub(shot.camera.translation())
+        return listOfNotNull(looking, driving(shot)).map { it.setComponent(1, 0.0) }.filter { it.length() > NONE }.map { it.normalize() }
+    }
+
+    private fun driving(shot: Shot): Vector3d? {
+        val before = timeline.shot(Moment.TIME_4) ?: return null
+        val after = timeline.shot(Moment.DRIVEN) ?: return null
+        val way = after.motorcycle.translation().sub(before.motorcycle.translation())
+        return if (way.length() < NONE) null else shot.motorcycleTurn.transform(Matrix3d(before.motorcycleTurn).transpose().transform(way))
+    }
+
+    private fun aimed(
+        aim: Aim,
+        samples: List<Sample>,
+    ): Aimed {
+        val sum = Vector3d()
+        for (sample in samples) sum.add(Matrix3d(aim.matrix(sample.shot)).transpose().transform(Vector3d(sample.direction)))
+        return Aimed(sum, samples.maxOf { angle(aim.matrix(it.shot).transform(sum, Vector3d()), it.direction) })
+    }
+
+    private companion object {
+        /** Radians. */
+        const val HOLDS = 3e-3
+        const val LEVEL = 1e-3
+        const val TELLS = 0.1
+        const val NONE = 1e-6
+
+        /** Cosine. */
+        const val BEHIND = 0.02
+    }
+}

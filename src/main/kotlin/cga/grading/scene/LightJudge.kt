@@ -1,0 +1,95 @@
+package cga.grading.scene
+
+import cga.grading.findings.Check
+import cga.grading.findings.Mistake
+
+/** Are the lights there, and do they ride along? */
+internal class LightJudge(
+    private val timeline: Timeline,
+    private val roles: LightRoles,
+    private val book: Notebook,
+) {
+    fun judge() {
+        point()
+        spot()
+    }
+
+    private fun point() {
+        val own = roles.own
+        if (own == null) {
+            val others = if (roles.further.isEmpty()) "" else ", only ${names(roles.further)} far from it"
+            val text = "no point light at the motorcycle$others"
+            listOf(Check.POINT_LIGHT, Check.POINT_LIGHT_CHILD, Check.POINT_LIGHT_POSITION).forEach { book.measured(it, 1.0, text) }
+            book.found(Mistake.LIGHT_MISSING, 0.0, 1.0, "point light")
+            book.missing += "the point light"
+            return
+        }
+        book.measured(Check.POINT_LIGHT, 0.0, "${own.name} shines")
+        rides(own, Check.POINT_LIGHT_CHILD, Mistake.LIGHT_NOT_CHILD)
+        height(own)
+    }
+
+    private fun spot() {
+        val spot = roles.spot
+        if (spot == null) {
+            val checks = listOf(Check.SPOT_LIGHT, Check.SPOT_LIGHT_CHILD, Check.SPOT_DIRECTION, Check.CONE, Check.ATTENUATION_SPOT)
+            checks.forEach { book.measured(it, 1.0, "no light with a cone shines") }
+            book.found(Mistake.SPOT_MISSING, 0.0, 1.0, "spotlight")
+            book.missing += "the spotlight"
+            return
+        }
+        book.measured(Check.SPOT_LIGHT, 0.0, "${spot.name} shines")
+        rides(spot, Check.SPOT_LIGHT_CHILD, Mistake.SPOT_NOT_CHILD)
+    }
+
+    /** Whether [light] moves with the motorcycle, judged under the hypothesis about its space that holds: a wrong space costs elsewhere. */
+    private fun rides(
+        light: LightTrack,
+        check: Check,
+        mistake: Mistake,
+    ) {
+        val placed = light.placed
+        if (!timeline.cast.driven || timeline.laterShots.size < 2) {
+            book.measured(check, null, "the motorcycle was never driven: whether ${light.name} follows it cannot be seen")
+            return
+        }
+        val error = notRiding(placed)
+        book.measured(check, error, "${light.name} ${placed.place?.text ?: "neither rides with the motorcycle nor stays in the world"}")
+        if (error > TELLING) {
+            val residual = if (placed.place == Place.STATIC) placed.static else placed.fit
+            book.found(mistake, residual, error, light.name)
+        }
+    }
+
+    private fun notRiding(placed: Placed): Double =
+        when (placed.place) {
+            Place.CHILD -> if (placed.child <= Placed.HOLDS) placed.child else share(placed)
+            Place.STATIC, Place.FOLLOWER -> share(placed)
+
+            // A wrong space costs its own check, and what cannot be told is not held against it.
+            else -> if (placed.place?.rides == false) 1.0 else 0.0
+        }
+
+    /** 0 when only riding along explains the places, 1 when only staying does. */
+    private fun share(placed: Placed) = placed.child / (placed.child + placed.static + TINY)
+
+    private fun height(light: LightTrack) {
+        if (light.placed.place?.right != true) return
+        val shot = timeline.laterShots.find { light.at(it.moment) != null } ?: return
+        val ground = timeline.cast.ground?.of(shot.frame)?.let(::groundHeight) ?: return
+        val above = light.at(shot.moment)?.let { shot.world(it).y - ground } ?: return
+        if (above >= IN_GROUND) return
+        book.spoilt(Check.POINT_LIGHT_CHILD, 1.0, "${light.name} is ${above.text()} above the ground: it cannot shine onto it")
+        book.found(Mistake.LIGHT_IN_GROUND, 0.0, 1.0, light.name)
+    }
+
+    private fun names(lights: List<LightTrack>) = lights.joinToString { it.name }
+
+    private companion object {
+        const val TELLING = 0.05
+        const val TINY = 1e-12
+
+        /** World units. */
+        const val IN_GROUND = 0.02
+    }
+}

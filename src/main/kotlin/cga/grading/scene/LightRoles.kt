@@ -1,0 +1,64 @@
+package cga.grading.scene
+
+import cga.grading.capture.Moment
+import org.joml.Vector3d
+import org.joml.Vector3dc
+
+/**
+ * Which light is which.
+ *
+ * @param own the motorcycle's point light, or the light that was meant to be it.
+ * @param spot the headlight.
+ * @param further all other point lights that shine.
+ */
+internal class LightRoles(
+    val own: LightTrack?,
+    val spot: LightTrack?,
+    val further: List<LightTrack>,
+) {
+    companion object {
+        fun of(timeline: Timeline): LightRoles {
+            val shining = LightTrack.all(timeline.frames).filter { it.shines }
+            Placed.all(shining, timeline)
+            val spots = shining.filter { it.isSpot }
+            val points = shining - spots.toSet()
+            val own = own(points, timeline)
+            return LightRoles(own, spots.find { it.rides() } ?: spots.firstOrNull(), points - setOfNotNull(own).toSet())
+        }
+
+        private fun own(
+            points: List<LightTrack>,
+            timeline: Timeline,
+        ): LightTrack? {
+            val near = { light: LightTrack -> distance(light, timeline) }
+            // Many may ride along; the motorcycle's colour tells which is meant, then how near it is.
+            val riding = points.filter { it.rides() }
+            if (timeline.cast.driven && riding.isNotEmpty()) return riding.find { it.changesColor } ?: riding.minBy(near)
+            return points.find { it.changesColor } ?: points.filter { near(it) <= MEANT * cameraDistance(timeline) }.minByOrNull(near)
+        }
+
+        private fun LightTrack.rides() = placed.place?.rides == true
+
+        private fun cameraDistance(timeline: Timeline) = timeline.laterShots.firstOrNull()?.distance ?: 0.0
+
+        /** From the motorcycle, before it is driven. */
+        private fun distance(
+            light: LightTrack,
+            timeline: Timeline,
+        ): Double {
+            val shot = timeline.laterShots.find { light.at(it.moment) != null } ?: return Double.POSITIVE_INFINITY
+            val state = light.at(shot.moment) ?: return Double.POSITIVE_INFINITY
+            val places = listOf(shot.world(state), Vector3d(state.position))
+            return places.minOf { it.distance(shot.motorcycle.translation()) }
+        }
+
+        /** A light that stays in the world is taken for the motorcycle's where it is no further away than this many times the camera. */
+        private const val MEANT = 3.0
+    }
+}
+
+/** Where the light really is at [moment] if its numbers are right, in world space. */
+internal fun Timeline.world(
+    light: LightTrack,
+    moment: Moment,
+): Vector3dc? = shot(moment)?.let { shot -> light.at(moment)?.let(shot::world) }

@@ -1,0 +1,51 @@
+package cga.grading.scene
+
+import cga.grading.findings.Check
+import cga.grading.findings.Mistake
+import org.joml.Vector3d
+import kotlin.math.max
+
+/** Task 4.6: further point lights, of different colours and at different places. */
+internal class MoreLightsJudge(
+    private val timeline: Timeline,
+    private val roles: LightRoles,
+    private val book: Notebook,
+) {
+    fun judge() {
+        val places = roles.further.filter { light -> roles.further.takeWhile { it !== light }.none { samePlace(it, light) } }
+        val colors = roles.further.filter { light -> roles.further.takeWhile { it !== light }.none { sameColor(it, light) } }
+        val counted = minOf(places.size, colors.size)
+        val error = max(0.0, 1 - counted / WANTED)
+        val text = "${roles.further.size} further point lights, ${places.size} places, ${colors.size} colours"
+        book.measured(Check.MORE_LIGHTS, error, text)
+        if (error > 0) book.found(Mistake.MORE_LIGHTS_MISSING, 0.0, error, text)
+    }
+
+    private fun samePlace(
+        a: LightTrack,
+        b: LightTrack,
+    ): Boolean =
+        timeline.laterShots.all { shot ->
+            val p = a.at(shot.moment)?.position
+            val q = b.at(shot.moment)?.position
+            p == null || q == null || p.distance(q) < APART
+        }
+
+    /** Whether they differ in brightness only, or not even in that. */
+    private fun sameColor(
+        a: LightTrack,
+        b: LightTrack,
+    ): Boolean {
+        val p = Vector3d(a.last.color).div(max(a.last.color.maxAbs(), LightTrack.DARK))
+        val q = Vector3d(b.last.color).div(max(b.last.color.maxAbs(), LightTrack.DARK))
+        return p.distance(q) < DIFFERENT
+    }
+
+    private companion object {
+        const val WANTED = 2.0
+
+        /** World units. */
+        const val APART = 0.1
+        const val DIFFERENT = 0.05
+    }
+}

@@ -1,0 +1,163 @@
+package cga.grading.scene
+
+import cga.grading.capture.Moment
+import cga.grading.findings.Check
+import cga.grading.findings.Mistake
+import org.joml.Matrix4d
+import org.joml.Vector3d
+import kotlin.math.abs
+import kotlin.math.max
+
+/** Task 4.5: the mouse takes the camera about the motorcycle, with or without Alt, as the submission likes it. */
+internal class OrbitJudge(
+    private val timeline: Timeline,
+    private val profile: SceneProfile,
+    private val book: Notebook,
+) {
+    private val box = motorcycleBox()
+
+    /** Mouse moves with what the camera made of them. */
+    private class Reaction(
+        val move: MouseMove,
+        val turn: Turn,
+    )
+
+    fun judge() {
+        val turns = turns(0)
+        if (turns.size < MouseMove.ALL.size) {
+            return CHECKS.forEach { book.measured(it, null, "the frames with the mouse are not all there") }
+        }
+        val late = turns(1)
+        val reactions = if (isLate(turns, late)) late.also { book.note("The camera follows the mouse one frame late.") } else turns
+        val turning = reactions.filter { it.turn.angle > TURNED }
+        val sideways = turning.filter { it.move.isSideways() }
+        if (sideways.isEmpty()) return missing(reactions)
+        book.measured(Check.ORBIT, 0.0, "turns ${if (sideways.all { it.move.alt }) "while Alt is held" else "with the mouse"}")
+        horizon(turning, sideways)
+        pivot(turning, sideways)
+        OrbitPace(profile.radiansPerPixel, book).judge(reactions.map { it.move to it.turn })
+        afterwards()
+    }
+
+    /** What happened up to each move, seen [lag] frames later. */
+    private fun turns(lag: Int): List<Reaction> =
+        MouseMove.ALL.mapNotNull { move ->
+            val before = timeline.shot(Moment.entries[move.moment.ordinal - 1 + lag])
+            val after = timeline.shot(Moment.entries[move.moment.ordinal + lag])
+            if (before == null || after == null) null else Reaction(move, Turn(before, after))
+        }
+
+    private fun isLate(
+        turns: List<Reaction>,
+        late: List<Reaction>,
+    ): Boolean {
+        val still = turns.none { it.move.isSideways() && it.turn.angle > TURNED }
+        return still && late.size == turns.size && late.any { it.move.isSideways() && it.turn.angle > TURNED && it.turn.tilt < UPRIGHT }
+    }
+
+    private fun missing(reactions: List<Reaction>) {
+        val what =
+            when {
+                reactions.any { it.turn.motorcycleTurned > MOTORCYCLE_TURNED } -> "the mouse turns the motorcycle, not the camera about it"
+                reactions.any { it.turn.moved > TURNED } -> "the mouse moves the camera without turning it"
+                else -> "the camera does not turn when the mouse moves, with or without Alt"
+            }
+        CHECKS.forEach { book.measured(it, 1.0, what) }
+        book.found(Mistake.ORBIT_MISSING, 0.0, 1.0, what)
+    }
+
+    private fun horizon(
+        turning: List<Reaction>,
+        sideways: List<Reaction>,
+    ) {
+        val worst = turning.maxBy { it.rolled() }
+        val error = worst.rolled()
+        book.measured(Check.ORBIT_HORIZON, error, "the horizon tilts by ${error.text()} of the angle turned (${worst.move.moment})")
+        if (error <= NAMED) return
+        val rolled = sideways.maxBy { it.rolled() }
+        if (rolled.rolled() > NAMED) {
+            book.found(Mistake.ORBIT_OWN_AXIS, rolled.turn.fromOwnAxis / rolled.turn.tilt, rolled.rolled(), "camera")
+        } else {
+            book.found(Mistake.ORBIT_OWN_AXIS, error, error, "camera, when the mouse moves up or down")
+        }
+    }
+
+    private fun Reaction.rolled() = turn.roll / max(turn.angle, LEAST_TURN)
+
+    private fun pivot(
+        turning: List<Reaction>,
+        sideways: List<Reaction>,
+    ) {
+        val worst = turning.maxBy { it.turn.passesBy(box) }
+        val error = worst.turn.passesBy(box)
+        val turnedInPlace = sideways.all { it.turn.moved < IN_PLACE * it.turn.angle }
+        if (turnedInPlace && book.has(Mistake.ORBIT_OWN_AXIS)) {
+            return book.measured(Check.ORBIT_PIVOT, 0.0, "the camera turns on the spot about its own axis: costs at the horizon")
+        }
+        book.measured(Check.ORBIT_PIVOT, error, "the axis passes the motorcycle by at ${error.text()} of the camera's distance, at most")
+        if (error <= NAMED) return
+        val passing = sideways.maxBy { it.turn.passesBy(box) }.takeIf { it.turn.passesBy(box) > NAMED } ?: worst
+        val (where, fit) = whichPivot(passing, turnedInPlace)
+        book.found(Mistake.ORBIT_PIVOT, fit, error, where)
+    }
+
+    /** What the camera turns about, if it is a place with a name, and how far from that. */
+    private fun whichPivot(
+        reaction: Reaction,
+        turnedInPlace: Boolean,
+    ): Pair<String, Double> {
+        if (turnedInPlace) return "the camera itself" to 0.0
+        val shot = timeline.shot(reaction.move.moment) ?: return "unknown" to 1.0
+        val pivot = reaction.turn.pivot()
+        val motorcycle = shot.motorcycle.translation()
+        val names =
+            listOf(
+                "the origin of the world" to Vector3d(),
+                "the motorcycle's world position, taken in the motorcycle's own space" to
+                    shot.motorcycle.transformPosition(motorcycle, Vector3d()),
+                "where the motorcycle started" to (timeline.shots.first().motorcycle.translation()),
+            )
+        val (name, place) = names.minBy { (_, place) -> level(place).distance(level(pivot)) }
+        val fit = level(place).distance(level(pivot)) / shot.distance
+        return if (fit < SAME_PLACE) name to fit else "${pivot.text()}; the motorcycle is at ${motorcycle.text()}" to fit
+    }
+
+    private fun level(point: Vector3d) = Vector3d(point.x, 0.0, point.z)
+
+    /** What becomes of the turned camera when the motorcycle drives on. */
+    private fun afterwards() {
+        val start = timeline.shot(Moment.STEERED) ?: return
+        val turned = timeline.shot(Moment.MOUSE_FAR) ?: return
+        val driven = timeline.shot(Moment.MOUSE_DRIVEN) ?: return
+        val kept = Turn(turned, driven)
+        val back = Turn(start, driven)
+        if (kept.angle > LOST && back.angle < LOST) book.note("Driving turns the camera back to where it was before the mouse moved.")
+    }
+
+    /** The box that the motorcycle fills in its own space, its origin included: the camera may turn about any point of it. */
+    private fun motorcycleBox(): Bounds {
+        val shot = timeline.laterShots.firstOrNull() ?: return Bounds(Vector3d(), Vector3d())
+        val shown = timeline.cast.motorcycle?.of(shot.frame) ?: return Bounds(Vector3d(), Vector3d())
+        val inItself = Matrix4d(shot.motorcycleFrame).invert().mul(shown.model)
+        val box = bounds(ObservedObject(inItself, null, emptyList(), shown.vertices, shown.buffers))
+        return if (box == null) Bounds(Vector3d(), Vector3d()) else Bounds(box.least.min(Vector3d()), box.most.max(Vector3d()))
+    }
+
+    private fun MouseMove.isSideways() = !first && x != 0.0 && y == 0.0
+
+    internal companion object {
+        val CHECKS = listOf(Check.ORBIT, Check.ORBIT_PIVOT, Check.ORBIT_HORIZON, Check.ORBIT_FACTOR, Check.ORBIT_START)
+
+        /** Radians. Float matrices turn by 1e-6 of themselves; a factor in degrees still turns by 1e-3 in 100 pixels. */
+        const val TURNED = 1e-4
+        private const val LEAST_TURN = 1e-2
+        private const val MOTORCYCLE_TURNED = 1e-3
+        private const val UPRIGHT = 0.05
+        private const val LOST = 1e-2
+
+        /** Relative. */
+        private const val NAMED = 0.02
+        private const val IN_PLACE = 0.05
+        private const val SAME_PLACE = 0.1
+    }
+}

@@ -1,0 +1,96 @@
+package cga.grading.scene
+
+import cga.grading.findings.Check
+import cga.grading.findings.Mistake
+import kotlin.math.abs
+import kotlin.math.hypot
+
+/**
+ * How fast the camera turns, and whether it waits for the mouse to move.
+ *
+ * @param expected radians a pixel; null: any.
+ */
+internal class OrbitPace(
+    private val expected: Double?,
+    private val book: Notebook,
+) {
+    fun judge(reactions: List<Pair<MouseMove, Turn>>) {
+        val sideways = reactions.filter { (move, turn) -> isSideways(move) && turn.angle > OrbitJudge.TURNED }
+        val pace = factor(sideways)
+        val drifting = reactions.filter { (move, turn) -> isRest(move) && turn.angle > OrbitJudge.TURNED }
+        if (drifting.isNotEmpty()) {
+            val (move, turn) = drifting.first()
+            val text = "the camera goes on turning while the mouse rests: ${turn.angle.text()} rad in ${move.moment}"
+            book.measured(Check.ORBIT_FACTOR, 1.0, text)
+            book.found(Mistake.MOUSE_FACTOR, 0.0, 1.0, "turns while the mouse rests")
+        }
+        start(reactions, pace)
+    }
+
+    /** Puts the factor down; radians a pixel. */
+    private fun factor(sideways: List<Pair<MouseMove, Turn>>): Double {
+        val wanted = expected ?: sideways.minOf { (move, turn) -> turn.angle / abs(move.x) }
+        val paces = sideways.map { (move, turn) -> turn.angle / abs(move.x) }
+        // Where one of them disagrees, the position before it was not followed: that is told by its own numbers.
+        val pace = paces.minBy { abs(it / wanted - 1) }
+        val others = sideways.zip(paces).filter { (reaction, its) -> abs(its / pace - 1) > AGREES && !isUnfollowed(reaction, wanted) }
+        val worst = (others.map { it.second } + pace).maxBy { abs(it / wanted - 1) }
+        val alone = sideways.singleOrNull()
+        val honest = if (alone != null && isUnfollowed(alone, wanted)) wanted else worst
+        val error = if (expected == null) 0.0 else abs(honest / expected - 1)
+        val list = paces.joinToString { it.text() }
+        book.measured(Check.ORBIT_FACTOR, error, "$list rad a pixel" + if (expected == null) "" else ", wanted ${expected.text()}")
+        if (error > NAMED) book.found(Mistake.MOUSE_FACTOR, 0.0, error, "${honest.text()} rad a pixel")
+        return honest
+    }
+
+    /** Whether the angle is right for a difference to a position older than the last: of those who look only while Alt is (not) held. */
+    private fun isUnfollowed(
+        reaction: Pair<MouseMove, Turn>,
+        pace: Double,
+    ): Boolean = olderDifferences(reaction.first).any { abs(reaction.second.angle / (pace * it) - 1) < AGREES }
+
+    private fun olderDifferences(move: MouseMove): List<Double> {
+        val at = MouseMove.ALL.filter { it.moment <= move.moment }.sumOf { it.x }
+        val before = MouseMove.ALL.filter { it.moment < move.moment }.runningFold(0.0) { x, next -> x + next.x }.distinct()
+        return before.map { abs(at - it) }.filter { it > 0 && it != abs(move.x) }
+    }
+
+    private fun start(
+        reactions: List<Pair<MouseMove, Turn>>,
+        pace: Double,
+    ) {
+        val (first, turn) = reactions.first()
+        val late = reactions.firstOrNull { (move, turn) -> isSideways(move) && turn.angle > OrbitJudge.TURNED }
+        val jump =
+            when {
+                turn.angle > pace -> first.moment to turn.angle
+                // The first event that is heard may be a later one, under Alt.
+                late != null && late.first.alt && isUnfollowed(late, pace) -> {
+                    late.first.moment to late.second.angle - pace * abs(late.first.x)
+                }
+                else -> null
+            }
+        if (jump == null) return book.measured(Check.ORBIT_START, 0.0, "the first mouse event does not turn the camera")
+        val (moment, angle) = jump
+        val error = (angle / (pace * first.x)).coerceAtMost(1.0)
+        book.measured(Check.ORBIT_START, error, "the first mouse event turns the camera by ${angle.text()} rad ($moment)")
+        book.found(Mistake.MOUSE_JUMP, reason(turn.angle / pace, first), error, "${(angle / pace).text()} pixels' worth at $moment")
+    }
+
+    /** How far the jump, in pixels, is from a difference to the corner of the screen, relative; by x alone or both coordinates. */
+    private fun reason(
+        pixels: Double,
+        first: MouseMove,
+    ): Double = listOf(first.x, first.x + 1, hypot(first.x, first.y)).minOf { abs(pixels / it - 1) }
+
+    private fun isSideways(move: MouseMove) = !move.first && move.x != 0.0 && move.y == 0.0
+
+    private fun isRest(move: MouseMove) = !move.first && move.x == 0.0 && move.y == 0.0
+
+    private companion object {
+        /** Relative. */
+        const val AGREES = 0.005
+        const val NAMED = 0.02
+    }
+}

@@ -1,0 +1,129 @@
+package cga.grading.scene
+
+import cga.grading.findings.Check
+import cga.grading.findings.Mistake
+import kotlin.math.abs
+import kotlin.math.max
+
+/** Do the positions of all lights and the view space belong together? */
+internal class PositionJudge(
+    private val timeline: Timeline,
+    private val roles: LightRoles,
+    private val book: Notebook,
+) {
+    private val lights = listOfNotNull(roles.own, roles.spot) + roles.further
+
+    fun judge() {
+        if (roles.own == null && lights.isEmpty()) return
+        if (roles.own != null) book.measured(Check.POINT_LIGHT_POSITION, 0.0, "where the lights are agrees with the view")
+        scaledView()
+        overwritten()
+        if (!book.has(Mistake.LIGHT_POSITION_OVERWRITTEN)) {
+            lights.forEach(::space)
+            if (lights.none { it.placed.place == Place.STATIC }) lights.forEach(::besideCamera)
+        }
+    }
+
+    private fun scaledView() {
+        val shot = timeline.laterShots.maxByOrNull { stretch(it.view) } ?: return
+        val error = stretch(shot.view)
+        if (error > RIGID) {
+            val factor = shot.view.scale()
+            val scale = shot.motorcycle.scale()
+            val cause = if (abs(factor * scale - 1) < RIGID) ": the motorcycle's scale of ${scale.text()} undone" else ""
+            book.spoilt(Check.POINT_LIGHT_POSITION, error, "the view matrix stretches lengths by ${factor.text()}$cause")
+            book.found(Mistake.VIEW_SCALED, unevenness(shot.view), error, "view matrix, factor ${factor.text()}")
+        } else if (roles.own != null) {
+            book.spoilt(Check.POINT_LIGHT_POSITION, error, "the view matrix is rigid")
+        }
+    }
+
+    private fun space(light: LightTrack) {
+        val placed = light.placed
+        val place = placed.place
+        if (place == Place.SCALED_CHILD || place == Place.SCALED_STATIC) {
+            book.spoilt(Check.POINT_LIGHT_POSITION, placed.wrong, "${light.name}: ${place.text}")
+            book.found(Mistake.VIEW_SCALED, placed.fit, placed.wrong, light.name)
+        } else if (place == null && light in roles.further) {
+            // A light that flies about by itself is allowed.
+            book.note("${light.name} neither stays nor moves with the motorcycle.")
+        } else if (place == null) {
+            book.spoilt(Check.POINT_LIGHT_POSITION, placed.wrong, "${light.name} is neither fixed in the world nor to the motorcycle")
+        } else if (place == Place.CONSTANT && placed.point != null && placed.point.length() < AT_CAMERA) {
+            neverSent(light)
+        } else if (!place.right) {
+            book.spoilt(Check.POINT_LIGHT_POSITION, placed.wrong, "${light.name}: ${place.text}")
+            // Fixed to the camera, while others went through the view: it may also be the camera's child.
+            val isCameraChild = place == Place.CONSTANT && lights.any { it.placed.place == Place.STATIC } && light.isRider()
+            val other = if (light.isSpot) Mistake.SPOT_NOT_CHILD else Mistake.LIGHT_NOT_CHILD
+            book.found(Mistake.TO_LIGHT_WORLD, placed.fit, placed.wrong, light.name, if (isCameraChild) listOf(other) else emptyList())
+        } else {
+            book.spoilt(Check.POINT_LIGHT_POSITION, placed.fit, "${light.name} ${place.text}")
+        }
+    }
+
+    private fun LightTrack.isRider() = this === roles.own || this === roles.spot
+
+    private fun neverSent(light: LightTrack) {
+        book.spoilt(Check.POINT_LIGHT_POSITION, 1.0, "${light.name} is at the camera in every frame: no position arrives")
+        book.missing += "the position of ${light.name}"
+        book.found(Mistake.TO_LIGHT_WORLD, 0.0, 1.0, light.name)
+    }
+
+    /** A camera that never turns about the motorcycle hides whether positions went through the view; lights beside the camera tell. */
+    private fun besideCamera(light: LightTrack) {
+        val shot = timeline.laterShots.lastOrNull { light.at(it.moment) != null } ?: return
+        val state = light.at(shot.moment) ?: return
+        if (light.placed.place != Place.CHILD || (Place.CONSTANT.fit(light, timeline.laterShots)?.residual ?: 1.0) > Placed.HOLDS) return
+        val toMotorcycle = shot.world(state).distance(shot.motorcycle.translation())
+        if (state.position.length() < AT_CAMERA) {
+            neverSent(light)
+        } else if (state.position.length() < BESIDE * toMotorcycle) {
+            val text = "${light.name} is beside the camera at ${state.position.text()} in every frame: these are not view-space numbers"
+            book.spoilt(Check.POINT_LIGHT_POSITION, 1.0, text)
+            book.found(Mistake.TO_LIGHT_WORLD, light.placed.fit, 1.0, light.name)
+        }
+    }
+
+    private fun overwritten() {
+        for (i in lights.indices) {
+            val same = lights.drop(i + 1).filter { together(lights[i], it) }
+            if (same.isEmpty()) continue
+            val names = (same + lights[i]).joinToString(" and ") { it.name }
+            book.spoilt(Check.POINT_LIGHT_POSITION, 1.0, "$names are at the same place in every frame")
+            book.found(Mistake.LIGHT_POSITION_OVERWRITTEN, 0.0, 1.0, names)
+            listOf(Mistake.LIGHT_NOT_CHILD, Mistake.SPOT_NOT_CHILD).forEach { if (book.has(it)) excuse(it, names) }
+            return
+        }
+    }
+
+    /** What follows from the overwritten position does not cost again. */
+    private fun excuse(
+        mistake: Mistake,
+        names: String,
+    ) {
+        book.remove(mistake)
+        book.measured(mistake.check, 0.0, "$names share a position: costs there")
+    }
+
+    private fun together(
+        a: LightTrack,
+        b: LightTrack,
+    ): Boolean {
+        val both = timeline.laterShots.map { a.at(it.moment)?.position to b.at(it.moment)?.position }
+        return both.any { (p, q) -> p != null && q != null } &&
+            both.all { (p, q) -> p == null || q == null || p.distance(q) <= SAME * max(1.0, p.length()) }
+    }
+
+    private companion object {
+        /** Float matrices that hundreds of rotations were multiplied into stretch by 1e-4. */
+        const val RIGID = 2e-3
+
+        /** Relative to the distance from the camera: a few roundings of floats. */
+        const val SAME = 2e-6
+
+        /** World units. */
+        const val AT_CAMERA = 1e-3
+        const val BESIDE = 0.6
+    }
+}

@@ -1,0 +1,94 @@
+package cga.grading.scene
+
+import cga.grading.capture.CapturedEvent
+import cga.grading.capture.Moment
+import cga.grading.findings.Check
+import cga.grading.findings.Mistake
+
+/**
+ * Judges what a scene does over the frames of the script: whether lights ride along, what the mouse does, what time does.
+ *
+ * What it needs of the observations:
+ * - one [ObservedFrame] for each moment, in the script's order; those that are missing make checks unmeasured, never wrong;
+ * - [ObservedFrame.view] as positions of vertices go through it. A view that cannot be inverted (all zero, as before the first bind) is
+ *   fine and told as such. A view that never changes, as where only model-view matrices are sent, is replaced by the ground's;
+ * - an object's [ObservedObject.buffers] the same in every frame, and its model matrix apart from the view;
+ * - a light's [ObservedLight.name] the same in every frame and different from every other light's;
+ * - lights also where they are black: a colour that grows from 0 with time is 0 in the first frame. A light that gives no light in any
+ *   frame counts as missing;
+ * - positions and directions in the view space of [ObservedFrame.view], relative errors below 1e-3; a direction of zero or NaN means that
+ *   none arrived;
+ * - [ObservedObject.lights] of ground and motorcycle, for the order of binding and drawing.
+ *
+ * A feature that is not there at all has an error of 1 in each of its checks; what could not be seen has none.
+ */
+public object SceneJudge {
+    /** The checks that this judge writes. */
+    public val CHECKS: Set<Check> =
+        setOf(
+            Check.POINT_LIGHT, Check.POINT_LIGHT_CHILD, Check.POINT_LIGHT_POSITION, Check.ORDER,
+            Check.SPOT_LIGHT, Check.SPOT_LIGHT_CHILD, Check.SPOT_DIRECTION, Check.CONE,
+            Check.ATTENUATION_POINT, Check.ATTENUATION_SPOT,
+            Check.GROUND_COLOR, Check.MOTORCYCLE_COLOR, Check.LIGHT_COLOR,
+            Check.ORBIT, Check.ORBIT_PIVOT, Check.ORBIT_HORIZON, Check.ORBIT_FACTOR, Check.ORBIT_START,
+            Check.MORE_LIGHTS,
+        )
+
+    /**
+     * The verdict on [frames].
+     *
+     * @param uniforms active uniforms of the programs, for telling what a misspelt name was meant to be; may be left out.
+     */
+    public fun judge(
+        frames: List<ObservedFrame>,
+        events: List<CapturedEvent>,
+        profile: SceneProfile = SceneProfile.SHEET,
+        uniforms: Set<String> = emptySet(),
+    ): SceneVerdict {
+        val book = Notebook()
+        val settled = GroundSpace.settle(frames)
+        val timeline = Timeline(settled, Casting(settled).cast())
+        if (timeline.laterShots.isEmpty()) return nothing(book, frames)
+        if (!timeline.cast.driven && timeline.frame(Moment.DRIVEN) != null) {
+            book.note("The motorcycle cannot be driven with W, A, S and D: what it is was guessed.")
+        }
+        val roles = LightRoles.of(timeline)
+        LightJudge(timeline, roles, book).judge()
+        PositionJudge(timeline, roles, book).judge()
+        DirectionJudge(timeline, roles, book).judge()
+        cone(roles, book)
+        AttenuationJudge(roles, profile, book).judge()
+        ColorJudge(timeline, roles, book).judge()
+        OrbitJudge(timeline, profile, book).judge()
+        MoreLightsJudge(timeline, roles, book).judge()
+        OrderJudge(timeline, roles, events, book).judge()
+        EventJudge(events, uniforms, book).judge()
+        return book.verdict()
+    }
+
+    private fun cone(
+        roles: LightRoles,
+        book: Notebook,
+    ) {
+        val spot = roles.spot ?: return
+        val cone = spot.cone ?: return
+        val (measured, found) = ConeValues.judge(cone, spot.name)
+        book.measured(Check.CONE, measured.error, measured.text)
+        if (found != null) book.found(found.mistake, found.fit, found.difference, found.where, found.alternatives)
+        // The overload of bind that knows no cone sends no direction either.
+        if (found?.mistake == Mistake.CONE_NEVER_SENT && book.missing.any { it.startsWith("the direction") }) {
+            book.measured(Check.SPOT_DIRECTION, 0.0, "neither the cone nor the direction arrives: costs at the cone")
+        }
+        if (cone.innerAngle.isNaN() || cone.outerAngle.isNaN()) book.missing += "the cone of ${spot.name}"
+    }
+
+    private fun nothing(
+        book: Notebook,
+        frames: List<ObservedFrame>,
+    ): SceneVerdict {
+        val text = if (frames.isEmpty()) "there are no frames" else "no frame has a motorcycle and a view to see it with"
+        CHECKS.forEach { book.measured(it, null, text) }
+        book.note("Nothing of the scene could be judged: $text.")
+        return book.verdict()
+    }
+}

@@ -1,0 +1,160 @@
+package cga.grading.study
+
+import kotlin.math.abs
+import kotlin.math.max
+
+/**
+ * The uniforms in which the picture is affine, channel by channel.
+ *
+ * @param lights those whose effect depends on the surface, each on its own.
+ * @param flats those whose effect is the same everywhere: a tint of the emission, ambient light.
+ * @param silent vectors without any effect.
+ * @param factors those that multiply lights: colours of the material.
+ */
+internal class ColorSlots(
+    val lights: List<ActiveUniform>,
+    val flats: List<ActiveUniform>,
+    val factors: List<ActiveUniform>,
+    val silent: List<ActiveUniform>,
+) {
+    companion object {
+        /** Textures are this dark while looking, so that a colour clamped at 1 by the shader stays below. */
+        const val DARK = 1.0 / 64
+
+        /** Sorts the vector uniforms of [box] by what they do to the samples [first], and those that do nothing there to [more]. */
+        fun of(
+            box: BlackBox,
+            first: List<Sample>,
+            more: List<Sample>,
+        ): ColorSlots {
+            val base = Setting().withTexels(box.program.samplers.associate { it.name to DARK })
+            val looks = box.program.uniforms.filter { !it.isSampler && it.type in VECTORS }.map { look(box, first, base, it) }
+            val all = looks.map { if (it.isSilent) look(box, more, base, it.slot) else it }
+            val samples = if (all.indices.any { all[it].isColor && looks[it].isSilent }) first + more else first
+            val found = all.filter { it.isColor }
+            val flats = found.filter { it.isFlat }.map { it.slot }
+            val uneven = found.filter { !it.isFlat }.map { it.slot }
+            val lit = base.withColors(uneven, 1.0)
+            val (alone, mixed) = uneven.partition { actsAlone(box, samples, lit, it, uneven) }
+            // Of colours that multiply each other the one that multiplies most of them belongs to the material.
+            val partners = mixed.associateWith { slot ->
+                mixed.filter {
+                    it != slot &&
+                        multiply(box, samples, lit.withColors(uneven, 0.0), slot, it)
+                }
+            }
+            val factors = partners.filter { (slot, others) -> others.any { isMoreOfAFactor(slot, it, partners) } }.keys
+            return ColorSlots(alone + (mixed - factors), flats, factors.toList(), all.filter { it.isSilent }.map { it.slot })
+        }
+
+        /** Whether [slot] is a light's colour as far as [samples] show. */
+        fun isLight(
+            box: BlackBox,
+            samples: List<Sample>,
+            slot: ActiveUniform,
+        ): Boolean {
+            val base = Setting().withTexels(box.program.samplers.associate { it.name to DARK })
+            return look(box, samples, base, slot).let { it.isColor && !it.isFlat }
+        }
+
+        private fun isMoreOfAFactor(
+            slot: ActiveUniform,
+            other: ActiveUniform,
+            partners: Map<ActiveUniform, List<ActiveUniform>>,
+        ): Boolean {
+            val mine = partners.getValue(slot).size
+            val theirs = partners.getValue(other).size
+            // A colour written into the shader that multiplies one that is sent is no light's own, however many there are.
+            val isWritten = slot.name.startsWith("cga_") && !other.name.startsWith("cga_")
+            val otherIsWritten = other.name.startsWith("cga_") && !slot.name.startsWith("cga_")
+            if (isWritten || otherIsWritten) return isWritten
+            return mine > theirs ||
+                (mine == theirs && MATERIAL_NAME.containsMatchIn(slot.text) && !MATERIAL_NAME.containsMatchIn(other.text))
+        }
+
+        private class Look(
+            val slot: ActiveUniform,
+            val isSilent: Boolean = false,
+            val isColor: Boolean = false,
+            val isFlat: Boolean = false,
+        )
+
+        private fun look(
+            box: BlackBox,
+            samples: List<Sample>,
+            base: Setting,
+            slot: ActiveUniform,
+        ): Look {
+            val none = box.shade(samples, base.withColor(slot, 0.0, 0.0, 0.0))
+            val once = box.shade(samples, base.withColor(slot, 0.5, 0.75, 0.625))
+            val effect = DoubleArray(none.size) { once[it] - none[it] }
+            // Each sample is judged by what it shows itself: highlights may be 1e18 times brighter than all else.
+            val seen = none.indices.filter { abs(effect[it]) > NOTHING * max(abs(none[it]), abs(once[it])) && effect[it].isFinite() }
+            if (seen.isEmpty()) return Look(slot, isSilent = true)
+            val twice = box.shade(samples, base.withColor(slot, 1.0, 1.5, 1.25))
+            val red = box.shade(samples, base.withColor(slot, 0.5, 0.0, 0.0))
+
+            fun allowed(i: Int) = AFFINE * abs(effect[i]) + FLOAT * (abs(none[i]) + abs(twice[i])) + TINY
+            val finite = none.indices.filter { effect[it].isFinite() }
+            if (finite.any { abs(twice[it] - none[it] - 2 * effect[it]) > allowed(it) }) return Look(slot)
+            if (finite.any { abs(red[it] - none[it] - if (it % 3 == 0) effect[it] else 0.0) > allowed(it) }) return Look(slot)
+            val typical = seen.filter { it % 3 == 0 }.map { effect[it] }.sorted().let {
+                if (it.isEmpty()) {
+                    return Look(slot)
+                } else {
+                    it[
+                        it.size /
+                            2,
+                    ]
+                }
+            }
+            val isFlat = finite.all { it % 3 != 0 || abs(effect[it] - typical) <= allowed(it) + AFFINE * abs(typical) }
+            return Look(slot, isColor = true, isFlat = isFlat)
+        }
+
+        /** Whether [slot] does the same with all of [others] at 0. */
+        private fun actsAlone(
+            box: BlackBox,
+            samples: List<Sample>,
+            lit: Setting,
+            slot: ActiveUniform,
+            others: List<ActiveUniform>,
+        ): Boolean {
+            val without = box.shade(samples, lit.withColors(listOf(slot), 0.0))
+            val with = box.shade(samples, lit)
+            val dark = lit.withColors(others, 0.0)
+            val aloneWithout = box.shade(samples, dark)
+            val aloneWith = box.shade(samples, dark.withColors(listOf(slot), 1.0))
+            return with.indices.all {
+                val effect = with[it] - without[it]
+                !(abs(effect - (aloneWith[it] - aloneWithout[it])) > AFFINE * abs(effect) + FLOAT * abs(with[it]) + TINY)
+            }
+        }
+
+        private fun multiply(
+            box: BlackBox,
+            samples: List<Sample>,
+            dark: Setting,
+            a: ActiveUniform,
+            b: ActiveUniform,
+        ): Boolean =
+            box.shade(samples, dark.withColors(listOf(a, b), 1.0)).largest() >
+                2 * box.shade(samples, dark.withColors(listOf(a), 1.0)).largest()
+
+        private val VECTORS = setOf(org.lwjgl.opengl.GL33C.GL_FLOAT_VEC3, org.lwjgl.opengl.GL33C.GL_FLOAT_VEC4)
+        private val MATERIAL_NAME = Regex("mat|diff|spec|albedo|surface", RegexOption.IGNORE_CASE)
+
+        // An effect below a few roundings of what is there is none.
+        private const val NOTHING = 2e-6
+        private const val AFFINE = 2e-4
+        private const val FLOAT = 1e-6
+        private const val TINY = 1e-12
+    }
+}
+
+/** The largest finite number of these, without its sign. */
+internal fun DoubleArray.largest(vararg more: DoubleArray): Double {
+    var result = 0.0
+    for (array in arrayOf(this, *more)) for (value in array) if (value.isFinite()) result = max(result, abs(value))
+    return result
+}

@@ -1,0 +1,68 @@
+package cga.grading.study
+
+import cga.grading.findings.Mistake
+import kotlin.math.PI
+
+/** What is wrong with a light's cone. */
+internal object ConeDeviations {
+    /** The mistakes in the cone of [light]; [numbers] are all that uniforms hold. */
+    fun of(
+        light: LightModel,
+        numbers: Collection<Double>,
+    ): List<Deviation> {
+        val cone = light.cone ?: return emptyList()
+
+        fun found(
+            mistake: Mistake,
+            difference: Double = 1.0,
+        ) = listOf(Deviation(mistake, light.name, cone.error, difference))
+        val isInverted = cone.inner > PI / 2
+        // Lit away from the axis: seen from the other side of it, the edges change sign.
+        val cosFull = if (isInverted) -cone.cosInner else cone.cosInner
+        val cosDark = if (isInverted) -cone.cosOuter else cone.cosOuter
+        val words = ConeWords.of(cosFull, cosDark, numbers) ?: ConeWords.of(-cosFull, -cosDark, numbers)
+        val values = words?.let(::valueMistake)
+        return when {
+            cone.falloff == Falloff.HARD -> found(Mistake.CONE_HARD_EDGE)
+            values != null -> found(values)
+            words == null && areDegrees(cone) && !looksChosen(cone) -> found(Mistake.DEGREES_FOR_RADIANS)
+            cone.falloff == Falloff.UNCLAMPED -> found(Mistake.CONE_CLAMP_MISSING)
+            cone.falloff == Falloff.UNCLAMPED_ABOVE && !startsAtAxis(light, numbers) -> found(Mistake.CONE_CLAMP_MISSING)
+            isInverted -> found(Mistake.CONE_INSIDE_OUT)
+            cone.falloff == Falloff.SMOOTH || cone.falloff == Falloff.OTHER -> found(Mistake.UNKNOWN, cone.error)
+            else -> emptyList()
+        }
+    }
+
+    private fun areDegrees(cone: ConeFit) =
+        ConeWords.areDegreesInRadians(cone.inner, cone.outer) || ConeWords.areDegreesInRadians(PI - cone.inner, PI - cone.outer)
+
+    private fun looksChosen(cone: ConeFit) = ConeWords.isRound(cone.inner) && ConeWords.isRound(cone.outer)
+
+    /** What was sent was not what the shader takes it for. */
+    private fun valueMistake(words: ConeWords): Mistake? {
+        val sent = listOf(words.full, words.dark)
+        return when (words.form) {
+            AngleForm.COSINE_TWICE -> Mistake.COSINE_OF_COSINE
+            AngleForm.ANGLE ->
+                if (sent.any { it > PI / 2 }) {
+                    Mistake.DEGREES_FOR_RADIANS
+                } else if (sent.all(ConeWords::isRoundCosine) && sent.none(ConeWords::isRound)) {
+                    Mistake.COSINE_OF_COSINE
+                } else {
+                    null
+                }
+            AngleForm.DEGREES -> if (sent.all { it < PI / 2 && ConeWords.isRound(it) && it > 0 }) Mistake.DEGREES_FOR_RADIANS else null
+            else -> null
+        }
+    }
+
+    /** Whether the light has full strength on its axis only because its inner angle is 0: then it is no brighter there than its K say. */
+    private fun startsAtAxis(
+        light: LightModel,
+        numbers: Collection<Double>,
+    ): Boolean {
+        val k = light.attenuation?.k ?: return false
+        return listOf(k.x(), k.y(), k.z()).filter { it > 0 }.all { part -> numbers.any { kotlin.math.abs(it - part) < 1e-4 * part } }
+    }
+}

@@ -1,0 +1,48 @@
+package cga.grading.study
+
+import kotlin.math.abs
+
+/** What the shaders do with the emission texture. */
+internal enum class EmissionForm { TINTED, UNTINTED, MULTIPLIED, MISSING }
+
+/**
+ * The emission of a program.
+ *
+ * @param tint the uniform that colours it, null where none does.
+ * @param ambient the colour that lights the diffuse texture everywhere, if it is a uniform.
+ */
+internal class EmissionStudy(
+    val form: EmissionForm,
+    val tint: ActiveUniform?,
+    val ambient: ActiveUniform?,
+) {
+    companion object {
+        fun of(
+            box: BlackBox,
+            colors: ColorSlots,
+            roles: TextureRoles?,
+        ): EmissionStudy {
+            val sampler = roles?.emission ?: box.program.samplers.singleOrNull()?.name.takeIf { roles == null }
+            val candidates = colors.flats + colors.factors
+            val point = listOf(Sample(org.joml.Vector3d(0.3, 0.2, -4.0), Directions.AXES[2]))
+            val dark = Setting().withColors(colors.lights, 0.0).withColors(candidates, 1.0)
+
+            fun shown(
+                name: String?,
+                changed: Setting,
+            ): Double {
+                if (name == null) return 0.0
+                return abs(box.shade(point, changed.withTexels(mapOf(name to 1.0)))[0] - box.shade(point, changed)[0])
+            }
+            val ambient = candidates.firstOrNull {
+                shown(roles?.diffuse, dark) >
+                    shown(roles?.diffuse, dark.withColors(listOf(it), 0.0)) + 1e-4
+            }
+            if (roles?.multiplied == true) return EmissionStudy(EmissionForm.MULTIPLIED, null, ambient)
+            val shown = shown(sampler, dark)
+            if (!(shown > 1e-4)) return EmissionStudy(EmissionForm.MISSING, null, ambient)
+            val tint = candidates.firstOrNull { shown(sampler, dark.withColors(listOf(it), 0.0)) < 1e-4 * shown }
+            return EmissionStudy(if (tint == null) EmissionForm.UNTINTED else EmissionForm.TINTED, tint, ambient)
+        }
+    }
+}

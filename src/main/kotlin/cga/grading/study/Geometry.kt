@@ -1,0 +1,204 @@
+package cga.grading.study
+
+import org.joml.Matrix4d
+import org.joml.Matrix4dc
+import org.joml.Vector4d
+import org.lwjgl.opengl.GL33C.GL_FLOAT_MAT4
+import kotlin.math.abs
+import kotlin.math.max
+import kotlin.random.Random
+
+/**
+ * How a program takes a vertex to the screen.
+ *
+ * @param positionLocation the attribute that is the position.
+ * @param product names of the matrices whose product is applied to it, left to right; empty where it is no such product.
+ */
+internal class GeometryFormula(
+    val positionLocation: Int,
+    val product: List<String>,
+) {
+    companion object {
+        /**
+         * Finds the formula of [program] by what it does with matrices of random numbers, where no two products are alike.
+         * Null when the clip position depends on no attribute.
+         */
+        fun of(
+            rig: ProbeRig,
+            program: ProbeProgram,
+            locations: Collection<Int>,
+            values: Map<String, FloatArray>,
+        ): GeometryFormula? {
+            val random = Random(1)
+            val matrices = program.uniforms.filter { it.type == GL_FLOAT_MAT4 }.map { it.name }
+            val generic = values + matrices.associateWith { FloatArray(16) { random.nextDouble(-1.0, 1.0).toFloat() } }
+            val position = locations.filter {
+                movesVertex(rig, program, locations, it, values) ||
+                    movesVertex(rig, program, locations, it, generic)
+            }
+            val location = position.firstOrNull() ?: return null
+            val points = List(6) { Vector4d(random.nextDouble(-1.0, 1.0), random.nextDouble(-1.0, 1.0), random.nextDouble(-1.0, 1.0), 1.0) }
+            val feed = Feed(points.size)
+            points.forEachIndexed { i, p -> feed.set(location, i, p.x, p.y, p.z) }
+            val clip = rig.clip(program, feed, generic)
+            // As the shader sees them: rounded to floats.
+            points.forEach { it.set(it.x.toFloat().toDouble(), it.y.toFloat().toDouble(), it.z.toFloat().toDouble(), 1.0) }
+            val product = products(matrices).firstOrNull { agrees(product(it, generic), points, clip) }
+            return GeometryFormula(location, product ?: emptyList())
+        }
+
+        /** The product of the matrices called [names], left to right. */
+        fun product(
+            names: List<String>,
+            values: Map<String, FloatArray>,
+        ): Matrix4d = names.fold(Matrix4d()) { all, name -> all.mul(matrix(values.getValue(name))) }
+
+        /** A matrix of OpenGL's column order. */
+        fun matrix(numbers: FloatArray): Matrix4d = Matrix4d().set(DoubleArray(16) { numbers[it].toDouble() })
+
+        private fun products(names: List<String>): Sequence<List<String>> {
+            val few = names.take(MAX_MATRICES)
+            val singles = few.asSequence().map { listOf(it) }
+            val pairs = singles.flatMap { one -> few.map { one + it } }
+            return singles + pairs + pairs.flatMap { two -> few.map { two + it } }
+        }
+
+        private fun movesVertex(
+            rig: ProbeRig,
+            program: ProbeProgram,
+            locations: Collection<Int>,
+            location: Int,
+            values: Map<String, FloatArray>,
+        ): Boolean {
+            val feed = Feed(2)
+            for (each in locations) for (i in 0..1) feed.set(each, i, 0.3, 0.5, 0.7)
+            feed.set(location, 1, 0.9, 0.2, 0.4)
+            val clip = rig.clip(program, feed, values)
+            return (0..3).any { clip[it] != clip[4 + it] }
+        }
+
+        private fun agrees(
+            matrix: Matrix4dc,
+            points: List<Vector4d>,
+            clip: FloatArray,
+        ): Boolean {
+            var worst = 0.0
+            var largest = 0.0
+            points.forEachIndexed { i, p ->
+                val expected = matrix.transform(p, Vector4d())
+                for (axis in 0..3) {
+                    worst = max(worst, abs(expected[axis] - clip[4 * i + axis]))
+                    largest = max(largest, abs(expected[axis]))
+                }
+            }
+            // Three products of four terms each, every one rounded to a float: 12·2⁻²⁴ of sums that are a few times larger than their result.
+            return worst <= 1e-5 * largest
+        }
+
+        private const val MAX_MATRICES = 8
+    }
+}
+
+/**
+ * The spaces of one draw.
+ *
+ * @param view null where the shader never sees world space.
+ */
+internal class Spaces(
+    val projection: Matrix4dc,
+    val view: Matrix4dc?,
+    val model: Matrix4dc?,
+    val modelView: Matrix4dc,
+) {
+    companion object {
+        /** Splits what [formula] multiplies for the uniforms [values] of one draw; null where no projection can be made out. */
+        fun of(
+            formula: GeometryFormula,
+            matrices: List<String>,
+            values: Map<String, FloatArray>,
+        ): Spaces? {
+            val factors = formula.product.map { GeometryFormula.matrix(values.getValue(it)) }
+            if (factors.isEmpty()) return null
+            val others = matrices
+                .filter {
+                    it !in formula.product
+                }.sortedByDescending { VIEW_NAME.containsMatchIn(it) }
+                .map { GeometryFormula.matrix(values.getValue(it)) }
+            if (factors.size == 3 &&
+                isProjection(factors[0])
+            ) {
+                return Spaces(factors[0], factors[1], factors[2], factors[1].mul(factors[2], Matrix4d()))
+            }
+            if (factors.size == 2 && isProjection(factors[0])) return split(factors[0], factors[1], others)
+            val whole = factors.fold(Matrix4d()) { all, factor -> all.mul(factor) }
+            if (factors.size == 2) {
+                val view = others.firstOrNull { isProjection(factors[0].mul(it.invert(Matrix4d()), Matrix4d())) }
+                if (view != null) {
+                    return Spaces(factors[0].mul(view.invert(Matrix4d()), Matrix4d()), view, factors[1], view.mul(factors[1], Matrix4d()))
+                }
+            }
+            val modelView =
+                (others + products(others)).firstOrNull { isProjection(whole.mul(it.invert(Matrix4d()), Matrix4d())) } ?: return null
+            return split(whole.mul(modelView.invert(Matrix4d()), Matrix4d()), modelView, others)
+        }
+
+        /** Looks for the view matrix among [others]: the one that makes [modelView] with one of them. */
+        private fun split(
+            projection: Matrix4d,
+            modelView: Matrix4d,
+            others: List<Matrix4d>,
+        ): Spaces {
+            for (view in others) {
+                for (model in others) {
+                    if (isNear(view.mul(model, Matrix4d()), modelView)) return Spaces(projection, view, model, modelView)
+                }
+            }
+            val view = others.firstOrNull { isPlace(it) && isEven(it.invert(Matrix4d()).mul(modelView)) && !isNear(it, modelView) }
+            return Spaces(projection, view, view?.invert(Matrix4d())?.mul(modelView), modelView)
+        }
+
+        /** Whether [m] moves, turns and scales evenly, and moves at all: what a matrix for normals does not. */
+        private fun isPlace(m: Matrix4dc): Boolean = isEven(m) && abs(m.m30()) + abs(m.m31()) + abs(m.m32()) > 0
+
+        private fun isEven(m: Matrix4dc): Boolean {
+            val scale = m.scale()
+            val square = Matrix4d(m).setTranslation(0.0, 0.0, 0.0).let { it.mul(it.transpose(Matrix4d())) }
+            val isSimilar =
+                scale > 0 &&
+                    (0..2).all { i ->
+                        (0..2).all { j ->
+                            abs(
+                                square.get(i, j) - if (i ==
+                                    j
+                                ) {
+                                    scale * scale
+                                } else {
+                                    0.0
+                                },
+                            ) < 1e-4 * scale * scale
+                        }
+                    }
+            return isSimilar && m.m03() == 0.0 && m.m13() == 0.0 && m.m23() == 0.0 && abs(m.m33() - 1) < 1e-9
+        }
+
+        private val VIEW_NAME = Regex("view|cam", RegexOption.IGNORE_CASE)
+
+        private fun products(matrices: List<Matrix4d>) = matrices.flatMap { a -> matrices.map { a.mul(it, Matrix4d()) } }
+
+        private fun isNear(
+            a: Matrix4dc,
+            b: Matrix4dc,
+        ): Boolean {
+            val largest = (0..15).maxOf { abs(b.get(it / 4, it % 4)) }
+            return (0..15).all { abs(a.get(it / 4, it % 4) - b.get(it / 4, it % 4)) <= 1e-5 * largest }
+        }
+
+        /** Whether [m] is a perspective projection along −z, up to the rounding of floats. */
+        private fun isProjection(m: Matrix4dc): Boolean {
+            val w = m.m23()
+            if (!(abs(w) > 0) || !m.m00().isFinite()) return false
+            val mustVanish = listOf(m.m03(), m.m13(), m.m33(), m.m01(), m.m02(), m.m10(), m.m12(), m.m30(), m.m31())
+            return abs(w + 1) < 1e-3 && mustVanish.all { abs(it) < 1e-4 } && m.m00() != 0.0 && m.m11() != 0.0
+        }
+    }
+}

@@ -1,0 +1,53 @@
+package cga.grading.study
+
+import cga.grading.findings.Mistake
+
+/** What is wrong with a light's specular term. */
+internal object HighlightDeviations {
+    /** The mistakes in the highlight of [light]. */
+    fun of(
+        light: LightModel,
+        study: ProgramStudy,
+    ): List<Deviation> {
+        if (study.roles?.specular == null) return emptyList()
+        val highlight = light.highlight ?: return listOf(Deviation(Mistake.SPECULAR_MISSING, light.name, 0.0, 1.0))
+        val fit = highlight.fit
+        if (fit.error > TOLERATED) return listOf(Deviation(Mistake.UNKNOWN, light.name, fit.error, 1.0))
+        val mistakes =
+            listOfNotNull(
+                Mistake.VIEW_VECTOR_SIGN.takeIf {
+                    fit.eye == EyeVector.REVERSED ||
+                        (fit.lightReversed && light.placement?.isFlipped == false)
+                },
+                Mistake.UNKNOWN.takeIf { fit.eye != EyeVector.REVERSED && !isRightEye(light, fit) },
+                Mistake.PHONG_LEFT.takeIf { fit.lobe == Lobe.PHONG },
+                Mistake.HALF_VECTOR_NOT_NORMALIZED.takeIf { fit.lobe == Lobe.BLINN_LONG || fit.lobe == Lobe.BLINN_RAW },
+                Mistake.SPECULAR_CLAMP_MISSING.takeIf { fit.unclamped },
+                Mistake.EXPONENT_FIXED.takeIf { highlight.exponentSlot == null },
+            ) + if (light.otherDirection) emptyList() else limits(light, highlight.limits)
+        return mistakes.map { Deviation(it, light.name, fit.error, 1.0) }
+    }
+
+    /** With the light in one space and the normals in another the eye may be right in either: that is one mistake, and named already. */
+    private fun isRightEye(
+        light: LightModel,
+        fit: HighlightFit,
+    ) = fit.eye == EyeVector.RIGHT || (fit.eye == EyeVector.VIEW_AXES && light.placement?.isConsistent == false)
+
+    private fun limits(
+        light: LightModel,
+        limits: HighlightLimits,
+    ): List<Mistake> {
+        if (limits.best > UNLIMITED) return listOf(Mistake.UNKNOWN)
+        if (limits.all <= limits.best * 1.5 + TOLERATED) return emptyList()
+        val isSpot = light.cone != null
+        return when (limits.best) {
+            limits.attenuationOnly -> listOf(Mistake.SPECULAR_NOT_CONED)
+            limits.coneOnly -> listOf(Mistake.ATTENUATION_ON_DIFFUSE_ONLY)
+            else -> listOfNotNull(Mistake.ATTENUATION_ON_DIFFUSE_ONLY, Mistake.SPECULAR_NOT_CONED.takeIf { isSpot })
+        }
+    }
+
+    private const val TOLERATED = 0.01
+    private const val UNLIMITED = 0.1
+}

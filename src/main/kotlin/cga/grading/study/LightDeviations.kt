@@ -1,0 +1,94 @@
+package cga.grading.study
+
+import cga.grading.findings.Mistake
+
+/** What is wrong with the shading of a light, beside its cone. */
+internal object LightDeviations {
+    /** The mistakes in [light]. */
+    fun of(
+        light: LightModel,
+        study: ProgramStudy,
+    ): List<Deviation> {
+        val placement = light.placement ?: return unplaced(light, study)
+        val found = mutableListOf<Deviation>()
+
+        fun add(
+            mistake: Mistake,
+            fit: Double,
+            difference: Double = 1.0,
+        ) {
+            found += Deviation(mistake, light.name, fit, difference)
+        }
+        if (study.normalsMoved) add(Mistake.NORMAL_MATRIX, placement.error)
+        if (!placement.isConsistent) {
+            add(
+                if (placement.path ==
+                    NormalPath.VIEW
+                ) {
+                    Mistake.TO_LIGHT_WORLD
+                } else {
+                    Mistake.NORMAL_MATRIX
+                },
+                placement.error,
+            )
+        }
+        if (placement.isFlipped) add(Mistake.LIGHT_VECTOR_SIGN, light.cosineError)
+        if (light.unclamped) add(Mistake.CLAMP_MISSING, light.cosineError)
+        if (light.cosineError > TOLERATED) add(Mistake.UNKNOWN, light.cosineError, light.cosineError)
+        val early = isNormalizedEarly(light)
+        if (early) add(Mistake.NORMALIZED_IN_VERTEX_SHADER, 0.0, vectorDifference(light))
+        if (hasLongNormals(light)) {
+            add(
+                Mistake.NORMAL_NOT_RENORMALIZED,
+                0.0,
+                maxOf(
+                    1 - light.normalLength,
+                    light.diffuseInterpolation?.normals ?: 0.0,
+                ),
+            )
+        }
+        attenuation(light, early)?.let { (mistake, fit) -> add(mistake, fit) }
+        return found + HighlightDeviations.of(light, study)
+    }
+
+    /** Without a diffuse term there is nothing to place a light by: that is said once, of the program. */
+    private fun unplaced(
+        light: LightModel,
+        study: ProgramStudy,
+    ): List<Deviation> =
+        when {
+            study.roles?.diffuse == null -> emptyList()
+            light.shared.isNotEmpty() -> listOf(Deviation(Mistake.LATER_LIGHTS_FIRST_COLOR, light.name, light.cosineError, 1.0))
+            else -> listOf(Deviation(Mistake.UNKNOWN, light.name, 1.0, 1.0))
+        }
+
+    /** Whether vectors are bent between the corners of triangles. */
+    fun isNormalizedEarly(light: LightModel): Boolean = vectorDifference(light) > INTERPOLATED
+
+    private fun vectorDifference(light: LightModel): Double =
+        maxOf(light.diffuseInterpolation?.vectors ?: 0.0, light.specularInterpolation?.vectors ?: 0.0)
+
+    private fun hasLongNormals(light: LightModel): Boolean =
+        kotlin.math.abs(light.normalLength - 1) > 0.02 || (light.diffuseInterpolation?.normals ?: 0.0) > INTERPOLATED
+
+    private fun attenuation(
+        light: LightModel,
+        early: Boolean,
+    ): Pair<Mistake, Double>? {
+        val fit = light.attenuation ?: return null
+        return when {
+            light.otherDirection -> Mistake.LATER_LIGHTS_FIRST_COSINE to fit.error
+            fit.error > AttenuationFit.ACCEPTED -> Mistake.UNKNOWN to fit.error
+            fit.growing -> Mistake.TO_LIGHT_NOT_NORMALIZED to fit.error
+            // The length of a vector that was normalised too early is 1 everywhere: that is one defect, not two.
+            fit.isConstant && early && fit.k.x() != 1.0 -> null
+            fit.isConstant -> Mistake.ATTENUATION_MISSING to fit.error
+            fit.isLinear -> Mistake.ATTENUATION_LINEAR to fit.error
+            else -> null
+        }
+    }
+
+    /** What floats and a triangle's middle leave is below 1e-4; a wrong vector changes a tenth and more. */
+    private const val INTERPOLATED = 0.01
+    private const val TOLERATED = 5e-3
+}

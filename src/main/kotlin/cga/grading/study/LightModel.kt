@@ -1,0 +1,70 @@
+package cga.grading.study
+
+import org.joml.Vector3dc
+
+/**
+ * What the shaders make of one light.
+ *
+ * @param placement where it is; null where its directions do not meet anywhere.
+ * @param unclamped whether sides that look away receive negative light.
+ * @param normalLength how bright a normal of half the length is: 1 where normals are normalised, 1/2 where never.
+ * @param cosineError what a clamped cosine leaves of the diffuse term, relative.
+ * @param otherDirection whether its distances are measured from elsewhere than its directions.
+ * @param shared the lights that take this one's colour, if there is more than one.
+ * @param floor how much of the light arrives whatever the normal, relative to its strength: ambient light of its own.
+ */
+internal class LightModel(
+    val probe: LightProbe,
+    val placement: Placement?,
+    val unclamped: Boolean,
+    val normalLength: Double,
+    val cosineError: Double,
+    val floor: Double,
+    val attenuation: AttenuationFit?,
+    val cone: ConeFit?,
+    val highlight: HighlightModel?,
+    val diffuseInterpolation: InterpolationTest?,
+    val specularInterpolation: InterpolationTest?,
+    val otherDirection: Boolean = false,
+    val shared: List<SharedLight> = emptyList(),
+) {
+    val name: String get() = probe.slot.text
+}
+
+/** One of several lights of a common colour. */
+internal class SharedLight(
+    val view: Vector3dc,
+    val attenuation: AttenuationFit?,
+)
+
+/**
+ * The specular term of one light.
+ *
+ * @param exponentSlot the uniform that the exponent follows, null where none does.
+ */
+internal class HighlightModel(
+    val fit: HighlightFit,
+    val limits: HighlightLimits,
+    val exponentSlot: ActiveUniform?,
+)
+
+/**
+ * What scales the specular term, each as the relative misfit of a hypothesis: 0 is a perfect fit.
+ *
+ * @param all attenuation and cone, as it should be; and so on.
+ */
+internal class HighlightLimits(
+    val all: Double,
+    val coneOnly: Double,
+    val attenuationOnly: Double,
+    val nothing: Double,
+) {
+    val best: Double get() = minOf(minOf(all, coneOnly), minOf(attenuationOnly, nothing))
+}
+
+/** A point at which the strengths of a light's two terms are compared. */
+internal class StrengthPoint(
+    val position: Vector3dc,
+    val distance: Double,
+    val cosine: Double,
+)

@@ -1,0 +1,92 @@
+package cga.grading.study
+
+import cga.grading.findings.Found
+import cga.grading.findings.Mistake
+
+/** All that is wrong with what a program computes. */
+internal object ProgramDeviations {
+    /** The mistakes found, each once with all the lights that have it; the first explain most. */
+    fun of(study: ProgramStudy): List<Found> {
+        val numbers = study.box.values.filterKeys { name ->
+            study.box.program.uniforms.any {
+                it.name == name && it.components <= 4 &&
+                    !it.isSampler
+            }
+        }
+        val sent = numbers.values.flatMap { it.toList() }.map { it.toDouble() }
+        val all =
+            study.lights.flatMap { LightDeviations.of(it, study) + cone(it, study, sent) } + silent(study) + material(study) +
+                emission(study) +
+                view(study)
+        return all.groupBy { it.mistake }.map { (mistake, same) ->
+            val where = same.map { it.light }.filter { it.isNotEmpty() }.distinct().joinToString(", ")
+            Found(mistake, same.maxOf { it.fit }, same.maxOf { it.difference }, where, same.first().alternatives)
+        }
+    }
+
+    private fun cone(
+        light: LightModel,
+        study: ProgramStudy,
+        sent: List<Double>,
+    ): List<Deviation> =
+        if (light in study.neverConed ||
+            (study.isAwake && light.cone != null)
+        ) {
+            listOf(Deviation(Mistake.CONE_NEVER_SENT, light.name, 0.0, 1.0))
+        } else {
+            ConeDeviations.of(light, sent)
+        }
+
+    /** Spotlights that were given a colour and no cone. */
+    private fun silent(study: ProgramStudy): List<Deviation> =
+        study.silent
+            .filter { light ->
+                light.missing.any { it.components <= 2 }
+            }.map { Deviation(Mistake.CONE_NEVER_SENT, it.slot.text, 0.0, 1.0) }
+
+    private fun material(study: ProgramStudy): List<Deviation> {
+        val roles = study.roles ?: return emptyList()
+        val found = mutableListOf<Deviation>()
+
+        fun add(mistake: Mistake) {
+            found += Deviation(mistake, "", 0.0, 1.0)
+        }
+        if (roles.diffuse == null && roles.specular != null) add(Mistake.DIFFUSE_MISSING)
+        if (roles.specular == null && roles.untextured < 1e-3) add(Mistake.SPECULAR_MISSING)
+        if (isSwapped(roles)) add(Mistake.MAPS_SWAPPED)
+        val units = study.box.program.samplers.mapNotNull { study.box.values[it.name]?.firstOrNull() }
+        if (units.size != units.distinct().size) add(Mistake.SAMPLER_UNIT)
+        if (study.exponent < 1) add(Mistake.GAMMA_DIRECTION)
+        return found
+    }
+
+    /** Whether the samplers' own names say that they have each other's work. */
+    private fun isSwapped(roles: TextureRoles): Boolean {
+        val diffuse = roles.diffuse ?: return false
+        val specular = roles.specular ?: return false
+        return SPECULAR_NAME.containsMatchIn(diffuse) && !DIFFUSE_NAME.containsMatchIn(diffuse) &&
+            DIFFUSE_NAME.containsMatchIn(specular) && !SPECULAR_NAME.containsMatchIn(specular)
+    }
+
+    private fun emission(study: ProgramStudy): List<Deviation> =
+        when (study.emission.form) {
+            EmissionForm.TINTED -> emptyList()
+            EmissionForm.UNTINTED -> listOf(Deviation(Mistake.EMISSION_COLOR_IGNORED, "", 0.0, 1.0))
+            EmissionForm.MULTIPLIED -> listOf(Deviation(Mistake.EMISSION_MULTIPLIED, "", 0.0, 1.0))
+            EmissionForm.MISSING -> listOf(Deviation(Mistake.EMISSION_MISSING, "", 0.0, 1.0))
+        }
+
+    private fun view(study: ProgramStudy): List<Deviation> {
+        val scale = study.box.spaces.view?.scale() ?: return emptyList()
+        return if (kotlin.math.abs(scale - 1) <
+            1e-3
+        ) {
+            emptyList()
+        } else {
+            listOf(Deviation(Mistake.VIEW_SCALED, "", 0.0, kotlin.math.abs(scale - 1)))
+        }
+    }
+
+    private val DIFFUSE_NAME = Regex("diff|albedo|base", RegexOption.IGNORE_CASE)
+    private val SPECULAR_NAME = Regex("spec|gloss|shin", RegexOption.IGNORE_CASE)
+}

@@ -1,0 +1,36 @@
+package cga.grading.study
+
+import cga.framework.InputError
+import cga.grading.capture.Capture
+import cga.grading.capture.CapturedDraw
+import org.joml.Matrix4d
+import kotlin.math.abs
+
+/** Chooses the draw by which a program is studied. */
+internal object Representative {
+    /** Of [draws] the one whose model matrix differs most from none: there no two spaces are alike. Later draws come first, state is complete by then. */
+    fun of(
+        rig: ProbeRig,
+        program: ProbeProgram,
+        capture: Capture,
+        number: Int,
+        draws: List<CapturedDraw>,
+    ): CapturedDraw {
+        val latest = draws.asReversed().take(MOST)
+        val formula =
+            GeometryFormula.of(
+                rig,
+                program,
+                capture.programs[number].attributes.values,
+                program.constants + latest.first().uniforms.associate { it.name to it.numbers },
+            )
+                ?: throw InputError("no vertex attribute moves the vertices of program $number")
+        return latest.maxBy { draw ->
+            val values = draw.uniforms.associate { it.name to it.numbers }
+            val model = if (program.matrices.all { it in values }) Spaces.of(formula, program.matrices, values)?.model else null
+            if (model == null) 0.0 else (0..11).sumOf { abs(model.get(it / 4, it % 4) - Matrix4d().get(it / 4, it % 4)).coerceAtMost(1.0) }
+        }
+    }
+
+    private const val MOST = 200
+}

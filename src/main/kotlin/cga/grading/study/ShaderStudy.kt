@@ -1,0 +1,62 @@
+package cga.grading.study
+
+import cga.framework.InputError
+import cga.grading.capture.Capture
+import cga.grading.capture.CapturedDraw
+import cga.grading.capture.CapturedFrame
+import cga.grading.findings.Found
+import cga.grading.findings.Measured
+import cga.grading.findings.Plot
+import cga.grading.scene.ObservedFrame
+
+/**
+ * What the shaders of a submission compute, found out by running them: no name in them is relied on.
+ *
+ * Each program is studied once, by the draw whose model matrix tells spaces apart best. Needs a current context for [of] and until [close];
+ * changes the context's state freely.
+ *
+ * @property mistakes what is wrong with the shading, each mistake once.
+ * @property checks how far the shading is from right, for the checks that shaders decide; null errors where nothing could be measured.
+ * @property plots measured curves over expected ones.
+ * @property notes what could not be studied, and why.
+ */
+public class ShaderStudy private constructor(
+    private val rig: ProbeRig,
+    private val programs: List<ProbeProgram>,
+    private val observations: Observations,
+    public val mistakes: List<Found>,
+    public val checks: List<Measured>,
+    public val plots: List<Plot>,
+    public val notes: List<String>,
+) : AutoCloseable {
+    /** What [frame] of the capture shows in terms of the scene; null where no draw of it is understood. */
+    public fun observe(frame: CapturedFrame): ObservedFrame? = observations.of(frame)
+
+    override fun close() {
+        programs.forEach { it.close() }
+        rig.close()
+    }
+
+    public companion object {
+        /** Studies every program that [capture] draws with. What cannot be studied becomes a note. */
+        public fun of(capture: Capture): ShaderStudy {
+            val rig = ProbeRig()
+            val notes = mutableListOf<String>()
+            val programs = mutableListOf<ProbeProgram>()
+            val studies = LinkedHashMap<Int, ProgramStudy>()
+            val draws = capture.frames.flatMap { it.steps }.filterIsInstance<CapturedDraw>().groupBy { it.program }
+            for ((number, all) in draws) {
+                try {
+                    val program = ProbeProgram(capture.programs.getOrNull(number) ?: throw InputError("program $number was not captured"))
+                    programs += program
+                    studies[number] = ProgramStudy.of(rig, program, capture, number, Representative.of(rig, program, capture, number, all))
+                } catch (e: InputError) {
+                    notes += "program $number: ${e.message}"
+                }
+            }
+            val mistakes = studies.values.flatMap { ProgramDeviations.of(it) }.distinctBy { it.mistake }
+            val checks = StudyChecks.of(studies.values, mistakes)
+            return ShaderStudy(rig, programs, Observations(capture, studies), mistakes, checks, StudyPlots.of(studies.values), notes)
+        }
+    }
+}

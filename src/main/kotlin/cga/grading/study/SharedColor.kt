@@ -1,0 +1,83 @@
+package cga.grading.study
+
+import org.joml.Vector3d
+import org.joml.Vector3dc
+import kotlin.math.abs
+import kotlin.math.max
+import kotlin.random.Random
+
+/** Takes apart a contribution that is the sum of several lights at known places: one colour given to all of them. */
+internal object SharedColor {
+    /**
+     * The lights among [candidates] (view space) whose clamped cosines add up to what [probe] shows at [points]; empty where they do not,
+     * or where one alone does.
+     */
+    fun of(
+        probe: LightProbe,
+        points: List<Vector3dc>,
+        candidates: List<Vector3d>,
+        texels: Map<String, Double>,
+    ): List<SharedLight> {
+        val random = Random(12)
+        val places = candidates.filterIndexed { i, c -> candidates.take(i).none { it.distance(c) < 1e-4 } }.take(MOST)
+        val around =
+            points + places.flatMap { c -> List(AROUND) { Vector3d(Directions.random(random)).mul(random.nextDouble(0.5, 4.0)).add(c) } }
+        val normals = around.map { List(NORMALS) { Directions.random(random) } }
+        val values = probe.shade(around.indices.flatMap { i -> normals[i].map { Sample(around[i], it) } }, texels)
+        val strengths = around.indices.map { i -> strengths(around[i], normals[i], places) { values[NORMALS * i + it] } }
+        val misfit = strengths.sumOf { it.misfit } / max(strengths.sumOf { it.sum }, 1e-300)
+        if (misfit > ACCEPTED) return emptyList()
+        val total = strengths.sumOf { it.perPlace.sum() }
+        val shining = places.indices.filter { c -> strengths.sumOf { it.perPlace[c] } > 1e-3 * total }
+        if (shining.size < 2) return emptyList()
+        return shining.map { c ->
+            val measured = around.indices.filter { strengths[it].perPlace[c] > 1e-3 }
+            val distances = DoubleArray(measured.size) { around[measured[it]].distance(places[c]) }
+            val law = if (measured.size <
+                8
+            ) {
+                null
+            } else {
+                AttenuationFit.of(distances, DoubleArray(measured.size) { strengths[measured[it]].perPlace[c] }, growing = false)
+            }
+            SharedLight(places[c], law)
+        }
+    }
+
+    private class Strengths(
+        val perPlace: DoubleArray,
+        val misfit: Double,
+        val sum: Double,
+    )
+
+    /** Non-negative strengths of lights at [places] that explain the values for [normals] at [point], by coordinate descent. */
+    private fun strengths(
+        point: Vector3dc,
+        normals: List<Vector3d>,
+        places: List<Vector3d>,
+        value: (Int) -> Double,
+    ): Strengths {
+        val cosines = places.map { c ->
+            Vector3d(c).sub(point).normalize().let { l -> DoubleArray(normals.size) { max(normals[it].dot(l), 0.0) } }
+        }
+        val rest = DoubleArray(normals.size) { value(it).let { v -> if (v.isFinite()) v else 0.0 } }
+        val sum = rest.sumOf { abs(it) }
+        val strengths = DoubleArray(places.size)
+        repeat(ROUNDS) {
+            for (c in places.indices) {
+                val square = cosines[c].sumOf { it * it }
+                if (!(square > 0)) continue
+                val better = max(strengths[c] + rest.indices.sumOf { rest[it] * cosines[c][it] } / square, 0.0)
+                for (i in rest.indices) rest[i] -= (better - strengths[c]) * cosines[c][i]
+                strengths[c] = better
+            }
+        }
+        return Strengths(strengths, rest.sumOf { abs(it) }, sum)
+    }
+
+    private const val MOST = 40
+    private const val AROUND = 12
+    private const val NORMALS = 64
+    private const val ROUNDS = 400
+    private const val ACCEPTED = 1e-2
+}

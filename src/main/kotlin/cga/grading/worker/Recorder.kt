@@ -1,0 +1,131 @@
+package cga.grading.worker
+
+import cga.grading.capture.CapturedFrame
+import cga.grading.capture.CapturedStep
+import cga.grading.capture.EventKind
+import cga.grading.capture.Moment
+import org.lwjgl.opengl.GL33C.*
+import org.lwjgl.system.MemoryUtil
+
+/** Looks at every call of the submission: notes what is drawn, keeps the errors, and plays the window's framebuffer. */
+internal class Recorder(
+    private val tape: Tape,
+    private val window: WindowFramebuffer,
+) {
+    private val errors = Errors(tape)
+    private val programs = Programs(tape)
+    private val draws = Draws(tape, programs, window)
+    private val framebuffers = FramebufferCalls(tape, window)
+    private val clears = ClearCalls(tape, window)
+    private val writes = WriteCalls(draws.buffers.writes, draws.textures.writes)
+    private val steps = ArrayList<CapturedStep>()
+    private var moment: Moment? = null
+
+    /** Begins the frame of [moment]. */
+    fun begin(moment: Moment) {
+        this.moment = moment
+        steps.clear()
+        window.clear()
+    }
+
+    /** Ends the frame and puts it on tape; [isWhole] is false when the submission failed amid it. */
+    fun end(
+        time: Double,
+        isWhole: Boolean,
+    ) {
+        val moment = moment ?: return
+        this.moment = null
+        val picture = if (isWhole && moment.drawn) window.read() else null
+        tape.add(CapturedFrame(moment, time, steps.toList(), picture))
+    }
+
+    /** The observer of [Interception]. */
+    fun observe(call: Call) {
+        if (call.name == "glGetError") {
+            call.answer = errors.take()
+            return
+        }
+        try {
+            handle(call)
+        } catch (e: Exception) {
+            // A mistake of ours must not look like one of the submission's.
+            tape.event(EventKind.NOT_CAPTURED, "${call.name}: the recorder failed with $e")
+            errors.drop()
+        }
+    }
+
+    private fun handle(call: Call) {
+        when (call.name) {
+            "glDrawArrays", "glDrawArraysInstanced", "glDrawElements", "glDrawElementsBaseVertex", "glDrawElementsInstanced",
+            "glDrawElementsInstancedBaseVertex", "glDrawRangeElements", "glDrawRangeElementsBaseVertex",
+            -> return draw(call)
+            "glMultiDrawArrays", "glMultiDrawElements", "glMultiDrawElementsBaseVertex" ->
+                return tape.event(EventKind.NOT_CAPTURED, call.name)
+            "glClear", "glClearBufferfv", "glClearBufferfi", "glClearBufferiv" -> return clear(call)
+            "glUseProgram", "glActiveTexture" -> call.proceed()
+            else -> if (!framebuffers.handle(call)) pass(call)
+        }
+        errors.check(call.name)
+    }
+
+    private fun pass(call: Call) {
+        if (call.name.startsWith("glUniform")) checkUniform(call)
+        call.proceed()
+        writes.note(call)
+        when (call.name) {
+            "glCompileShader" -> programs.compiled(call.int(0))
+            "glLinkProgram" -> programs.linked(call.int(0))
+            "glBindFragDataLocation" -> programs.bindOutput(call.int(0), call.int(1), MemoryUtil.memASCII(call.long(2)))
+            "glGetUniformLocation" -> noteLocation(call)
+        }
+    }
+
+    private fun noteLocation(call: Call) {
+        val name = MemoryUtil.memASCII(call.long(1))
+        if (call.answer >= 0) {
+            programs.find(call.int(0))?.asked?.put(call.answer, name)
+        } else {
+            tape.event(EventKind.UNIFORM_ABSENT, name)
+        }
+    }
+
+    private fun checkUniform(call: Call) {
+        if (call.name == "glUniformBlockBinding") return
+        val location = call.int(0)
+        if (location < 0) return
+        val program = glGetInteger(GL_CURRENT_PROGRAM)
+        val name = programs.foreign(program, location) ?: return
+        tape.event(EventKind.UNIFORM_WITHOUT_PROGRAM, "${call.name} $name")
+    }
+
+    private fun draw(call: Call) {
+        val wanted = DrawCall.of(call) ?: return call.proceed()
+        val moment = moment
+        if (moment == null) {
+            tape.event(EventKind.NOT_CAPTURED, "${call.name} outside of render")
+            return
+        }
+        val look = draws.look(wanted, call.name)
+        // Questions about a state that is not valid may have failed.
+        errors.drop()
+        val isOurs = window.isDrawnTo()
+        if (!isOurs) {
+            tape.event(EventKind.NOT_CAPTURED, "${call.name} into a framebuffer of the submission's own")
+            writes.noteDrawing()
+        }
+        if (!look.isSafe) return
+        val isExecuted = moment.drawn || look.draw == null
+        if (isExecuted) call.proceed()
+        val failed = isExecuted && errors.check(call.name)
+        if (isOurs && !failed) look.draw?.let { steps += it }
+    }
+
+    private fun clear(call: Call) {
+        val moment = moment
+        val isOurs = window.isDrawnTo()
+        if (!isOurs) writes.noteDrawing()
+        val step = if (moment != null && isOurs) clears.step(call) else null
+        if (moment?.drawn != false || step == null) call.proceed()
+        if (!errors.check(call.name) && step != null && tape.affordStep(1)) steps += step
+    }
+}

@@ -1,0 +1,63 @@
+package cga.grading.worker
+
+import cga.grading.capture.CaptureFile
+import cga.grading.capture.EventKind
+import java.io.IOException
+import java.nio.file.Path
+
+/** The one run of a submission in this JVM, and the file that its capture goes to. */
+internal object Session {
+    private val tape = Tape()
+    private var file: Path? = null
+    private var isWritten = false
+    private var isClaimed = false
+
+    /** Has the capture written to [file], at the latest when the JVM goes down: by `System.exit`, or by a signal that it can hear. */
+    fun begin(file: Path) {
+        this.file = file
+        Runtime.getRuntime().addShutdownHook(Thread(::finish))
+    }
+
+    /** The tape for the one window that there may be. */
+    @Synchronized
+    fun claim(): Tape {
+        check(!isClaimed) { "a second window cannot be opened" }
+        isClaimed = true
+        return tape
+    }
+
+    /** Notes that the submission threw [problem]; the same only once. */
+    fun fail(problem: Throwable) {
+        tape.event(EventKind.EXCEPTION, describe(problem))
+    }
+
+    /** No capture is to be written. */
+    @Synchronized
+    fun abandon() {
+        isWritten = true
+    }
+
+    /** Writes what has been captured, once. */
+    @Synchronized
+    fun finish() {
+        val file = file ?: return
+        if (isWritten) return
+        isWritten = true
+        try {
+            CaptureFile.write(tape.capture(), file)
+        } catch (e: IOException) {
+            System.err.println("the capture cannot be written: $e")
+        }
+    }
+
+    private fun describe(problem: Throwable): String =
+        generateSequence(problem) { it.cause.takeIf { cause -> cause !== it } }.take(MAX_CAUSES).joinToString("\ncaused by ") { link ->
+            val own = link.stackTrace.filterNot { frame -> FOREIGN.any { frame.className.startsWith(it) } }.take(MAX_LINES)
+            (listOf("$link".take(MAX_MESSAGE)) + own.map { "  at $it" }).joinToString("\n")
+        }
+
+    private const val MAX_CAUSES = 4
+    private const val MAX_LINES = 8
+    private const val MAX_MESSAGE = 500
+    private val FOREIGN = listOf("java.", "javax.", "jdk.", "sun.", "kotlin.", "org.lwjgl.", "cga.grading.")
+}

@@ -1,0 +1,87 @@
+package cga.grading.worker
+
+import cga.grading.capture.DrawState
+import org.lwjgl.opengl.GL33C.*
+import org.lwjgl.system.MemoryStack
+
+/** The fixed-function state of now. */
+internal object State {
+    fun read(): DrawState =
+        DrawState(
+            viewport = integers(GL_VIEWPORT),
+            depthTest = glIsEnabled(GL_DEPTH_TEST),
+            depthFunc = glGetInteger(GL_DEPTH_FUNC),
+            depthMask = glGetBoolean(GL_DEPTH_WRITEMASK),
+            cullFace = glIsEnabled(GL_CULL_FACE),
+            cullMode = glGetInteger(GL_CULL_FACE_MODE),
+            frontFace = glGetInteger(GL_FRONT_FACE),
+            blend = glIsEnabled(GL_BLEND),
+            blendSource = glGetInteger(GL_BLEND_SRC_RGB),
+            blendDestination = glGetInteger(GL_BLEND_DST_RGB),
+            polygonMode = glGetInteger(GL_POLYGON_MODE),
+            framebufferSrgb = glIsEnabled(GL_FRAMEBUFFER_SRGB),
+        )
+
+    /** What of the state changes the picture and has no place in a [DrawState]; null for nothing. */
+    fun unusual(
+        width: Int,
+        height: Int,
+    ): String? =
+        SWITCHES.firstNotNullOfOrNull { (switch, name) -> name.takeIf { glIsEnabled(switch) } }
+            ?: when {
+                !glIsEnabled(GL_MULTISAMPLE) -> "GL_MULTISAMPLE off"
+                glIsEnabled(GL_SCISSOR_TEST) && !covers(integers(GL_SCISSOR_BOX), width, height) -> "GL_SCISSOR_TEST"
+                hasMaskedColor() -> "glColorMask"
+                glIsEnabled(GL_BLEND) && hasUnusualBlending() -> "glBlendEquation, glBlendFuncSeparate or glBlendColor"
+                else -> null
+            }
+
+    /** Whether not all of the colour channels are written. */
+    fun hasMaskedColor(): Boolean =
+        MemoryStack.stackPush().use { stack ->
+            val mask = stack.malloc(4)
+            glGetBooleanv(GL_COLOR_WRITEMASK, mask)
+            (0 until 4).any { mask[it] == 0.toByte() }
+        }
+
+    /** Whether the scissor test cuts something off a window of this size. */
+    fun isCut(
+        width: Int,
+        height: Int,
+    ): Boolean = glIsEnabled(GL_SCISSOR_TEST) && !covers(integers(GL_SCISSOR_BOX), width, height)
+
+    private fun covers(
+        box: List<Int>,
+        width: Int,
+        height: Int,
+    ) = box[0] <= 0 && box[1] <= 0 && box[0].toLong() + box[2] >= width && box[1].toLong() + box[3] >= height
+
+    private fun hasUnusualBlending() =
+        glGetInteger(GL_BLEND_EQUATION_RGB) != GL_FUNC_ADD || glGetInteger(GL_BLEND_EQUATION_ALPHA) != GL_FUNC_ADD ||
+            glGetInteger(GL_BLEND_SRC_ALPHA) != glGetInteger(GL_BLEND_SRC_RGB) ||
+            glGetInteger(GL_BLEND_DST_ALPHA) != glGetInteger(GL_BLEND_DST_RGB) ||
+            listOf(glGetInteger(GL_BLEND_SRC_RGB), glGetInteger(GL_BLEND_DST_RGB)).any { it >= GL_CONSTANT_COLOR }
+
+    private fun integers(name: Int): List<Int> =
+        MemoryStack.stackPush().use { stack ->
+            val four = stack.mallocInt(4)
+            glGetIntegerv(name, four)
+            List(4) { four[it] }
+        }
+
+    private val SWITCHES =
+        mapOf(
+            GL_STENCIL_TEST to "GL_STENCIL_TEST",
+            GL_POLYGON_OFFSET_FILL to "GL_POLYGON_OFFSET_FILL",
+            GL_POLYGON_OFFSET_LINE to "GL_POLYGON_OFFSET_LINE",
+            GL_DEPTH_CLAMP to "GL_DEPTH_CLAMP",
+            GL_COLOR_LOGIC_OP to "GL_COLOR_LOGIC_OP",
+            GL_SAMPLE_ALPHA_TO_COVERAGE to "GL_SAMPLE_ALPHA_TO_COVERAGE",
+            GL_SAMPLE_ALPHA_TO_ONE to "GL_SAMPLE_ALPHA_TO_ONE",
+            GL_SAMPLE_COVERAGE to "GL_SAMPLE_COVERAGE",
+            GL_SAMPLE_MASK to "GL_SAMPLE_MASK",
+            GL_PRIMITIVE_RESTART to "GL_PRIMITIVE_RESTART",
+            GL_RASTERIZER_DISCARD to "GL_RASTERIZER_DISCARD",
+            GL_PROGRAM_POINT_SIZE to "GL_PROGRAM_POINT_SIZE",
+        )
+}

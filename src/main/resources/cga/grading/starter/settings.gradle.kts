@@ -1,0 +1,9 @@
+pluginManagement {
+    repositories { mavenCentral() }
+}
+
+dependencyResolutionManagement {
+    repositories { mavenCentral() }
+}
+
+rootProject.name = "tron"

@@ -1,0 +1,82 @@
+package cga.grading.corpus
+
+import cga.grading.findings.Check
+import cga.grading.findings.Mistake
+import org.junit.jupiter.api.Assertions.assertEquals
+import org.junit.jupiter.api.Assertions.assertTrue
+import org.junit.jupiter.api.Test
+import kotlin.io.path.writeText
+
+/** The corpus is whole. With `-Dcga.corpus=fix` the list of correct submissions is made anew. */
+class CorpusTest {
+    private val combinations = Combinations(Corpus.rewrites.values.toList())
+
+    init {
+        if (System.getProperty("cga.corpus") == "fix") Corpus.correctList.writeText(correctList())
+    }
+
+    @Test
+    fun `every edit of every submission applies, and just once`() {
+        val failures = Corpus.all.mapNotNull { runCatching { Corpus.sources(it) }.exceptionOrNull()?.message }
+        assertEquals("", failures.joinToString("\n"), "${failures.size} of ${Corpus.all.size} submissions")
+    }
+
+    @Test
+    fun `any two rewrites that go together are together in a correct submission`() {
+        val covered = Corpus.correct.flatMap { combinations.pairsOf(it.rewrites) }.toSet()
+        assertEquals(emptyList<Any>(), combinations.pairs.filter { it !in covered })
+    }
+
+    @Test
+    fun `only rewrites that go together are together`() {
+        for (submission in Corpus.correct) {
+            val strangers = combinations.pairsOf(submission.rewrites).filter { it !in combinations.pairs }
+            assertEquals(emptyList<Any>(), strangers, submission.name)
+        }
+    }
+
+    @Test
+    fun `no two submissions are the same`() {
+        val same = Corpus.all.groupBy { Corpus.sources(it).toString() }.values.filter { it.size > 1 }
+        assertEquals(emptyList<Any>(), same)
+    }
+
+    @Test
+    fun `there are 100 correct submissions and 40 mistaken ones`() {
+        assertTrue(Corpus.correct.size >= 100) { "${Corpus.correct.size}" }
+        assertTrue(Corpus.mistaken.size >= 40) { "${Corpus.mistaken.size}" }
+        assertTrue(Corpus.mistaken.all { it.expectation.mistakes.isNotEmpty() && it.expectation.costs.isNotEmpty() })
+    }
+
+    @Test
+    fun `every mistake with a name is made by a submission`() {
+        val made = Corpus.mistaken.flatMap { it.expectation.mistakes.flatten() }.toSet()
+        assertEquals(emptyList<Mistake>(), Mistake.entries - made - Mistake.UNKNOWN)
+    }
+
+    @Test
+    fun `every cost is that of a check`() {
+        val costs = Corpus.mistaken.flatMap { it.expectation.costs }.toSet()
+        assertEquals(emptySet<String>(), costs - Check.entries.map { it.id }.toSet())
+    }
+
+    private fun correctList(): String {
+        val alone = Corpus.rewrites.values.map { rewrite ->
+            rewrite.name to
+                Corpus.rewrites.keys.filter { it == rewrite.name || it in rewrite.with }
+        }
+        val mixed = combinations.choose(SIZE, SEED).mapIndexed { i, names -> "mix-%03d".format(i + 1) to names }
+        val lines = (listOf("plain" to emptyList<String>()) + alone + mixed).map { (name, parts) ->
+            "$name: ${parts.joinToString(" ")}".trim()
+        }
+        return HEAD + lines.joinToString("\n") + "\n"
+    }
+
+    private companion object {
+        const val SIZE = 14
+        const val SEED = 4
+        const val HEAD =
+            "# Submissions without a mistake, by their rewrites: none, each alone, and mixtures in which any two that go together meet.\n" +
+                "# Made by running CorpusTest with -Dcga.corpus=fix.\n"
+    }
+}

@@ -1,0 +1,87 @@
+package cga.grading.scene
+
+import cga.grading.findings.Check
+import cga.grading.findings.Mistake
+import org.joml.Vector3d
+import org.junit.jupiter.api.Assertions.assertEquals
+import org.junit.jupiter.api.Test
+import kotlin.math.sin
+
+/** What can be wrong with the colours of task 4.4. */
+class ColorMistakesTest {
+    @Test
+    fun `a motorcycle that never changes its colour`() {
+        val rig = object : Rig() {
+            override fun motorcycleTint(t: Double) = Vector3d(1.0, 0.0, 1.0)
+        }
+        rig.verdict().assertMistake(Mistake.COLOR_CONSTANT)
+    }
+
+    @Test
+    fun `neither the motorcycle nor its light ever change their white`() {
+        val rig = object : Rig() {
+            override fun motorcycleTint(t: Double) = Vector3d(1.0)
+        }
+        rig.verdict().assertMistake(Mistake.COLOR_CONSTANT, Check.MOTORCYCLE_COLOR, Check.LIGHT_COLOR)
+    }
+
+    @Test
+    fun `a light that changes while the motorcycle does not costs the motorcycle only`() {
+        val rig = object : Rig() {
+            override fun motorcycleTint(t: Double) = Vector3d(1.0)
+
+            override fun ownColor(t: Double) = Vector3d(0.5 + 0.5 * sin(t), 1.0, 0.2)
+        }
+        rig.verdict().assertMistake(Mistake.COLOR_CONSTANT)
+    }
+
+    @Test
+    fun `a light of another colour, and one of other sines`() {
+        val white = object : Rig() {
+            override fun ownColor(t: Double) = Vector3d(1.0)
+        }
+        white.verdict().assertMistake(Mistake.LIGHT_COLOR_DIFFERS)
+        val other = object : Rig() {
+            override fun ownColor(t: Double) = Vector3d(0.5 + 0.5 * sin(t), 0.5, 0.5 + 0.5 * sin(2 * t))
+        }
+        other.verdict().assertMistake(Mistake.LIGHT_COLOR_DIFFERS)
+    }
+
+    @Test
+    fun `red and blue exchanged`() {
+        val rig = object : Rig() {
+            override fun ownColor(t: Double): Vector3d {
+                val tint = motorcycleTint(t) ?: Vector3d()
+                return Vector3d(tint.z, tint.y, tint.x)
+            }
+        }
+        rig.verdict().assertMistake(Mistake.LIGHT_COLOR_DIFFERS)
+    }
+
+    @Test
+    fun `no colours at all`() {
+        val rig = object : Rig() {
+            override fun motorcycleTint(t: Double): Vector3d? = null
+
+            override fun groundTint(t: Double): Vector3d? = null
+        }
+        val costs = arrayOf(Check.GROUND_COLOR, Check.MOTORCYCLE_COLOR, Check.LIGHT_COLOR)
+        rig.verdict().assertMistake(Mistake.EMISSION_COLOR_IGNORED, *costs)
+    }
+
+    @Test
+    fun `a white ground, a black one, one without a colour, one in the motorcycle's colours`() {
+        fun ground(color: (Rig, Double) -> Vector3d?): SceneVerdict {
+            val rig = object : Rig() {
+                override fun groundTint(t: Double) = color(this, t)
+            }
+            return rig.verdict()
+        }
+        for (color in listOf(Vector3d(1.0), Vector3d(), null)) {
+            val verdict = ground { _, _ -> color }
+            verdict.assertCosts(Check.GROUND_COLOR, least = 1.0)
+            assertEquals(emptyList<Mistake>(), verdict.mistakes.map { it.mistake })
+        }
+        ground { rig, t -> rig.motorcycleTint(t) }.assertCosts(Check.GROUND_COLOR, least = 0.5)
+    }
+}

@@ -1,0 +1,181 @@
+package cga.grading.scene
+
+import cga.grading.capture.CapturedEvent
+import cga.grading.capture.EventKind
+import cga.grading.findings.Check
+import cga.grading.findings.Mistake
+import org.joml.Matrix4d
+import org.joml.Vector3d
+import org.joml.Vector3f
+import org.junit.jupiter.api.Assertions.assertEquals
+import org.junit.jupiter.api.Assertions.assertTrue
+import org.junit.jupiter.api.Test
+
+/** What can be wrong with the places of the lights. */
+class LightMistakesTest {
+    private val allOfPoint =
+        arrayOf(Check.POINT_LIGHT, Check.POINT_LIGHT_CHILD, Check.POINT_LIGHT_POSITION, Check.ATTENUATION_POINT, Check.LIGHT_COLOR)
+
+    @Test
+    fun `the point light is missing`() {
+        val rig = object : Rig() {
+            override val lamps get() = listOf(head) + corners
+        }
+        rig.verdict().assertMistake(Mistake.LIGHT_MISSING, *allOfPoint)
+    }
+
+    @Test
+    fun `the point light is black`() {
+        val rig = object : Rig() {
+            override fun ownColor(t: Double) = Vector3d()
+        }
+        rig.verdict().assertMistake(Mistake.LIGHT_MISSING, *allOfPoint)
+    }
+
+    @Test
+    fun `a name that no program has explains a missing light, and the right name is guessed`() {
+        val rig = object : Rig() {
+            override fun ownColor(t: Double) = Vector3d()
+        }
+        val events = listOf("pointLigthColor", "material_emit").map { CapturedEvent(EventKind.UNIFORM_ABSENT, 0, it) }
+        val verdict = rig.verdict(events = events, uniforms = setOf("pointLightColor", "pointLightPos", "view_matrix"))
+        verdict.assertMistake(Mistake.UNIFORM_ABSENT, *allOfPoint)
+        assertEquals("pointLigthColor (is pointLightColor meant?)", verdict.mistakes.single().where)
+    }
+
+    @Test
+    fun `a point light that is no child stays behind`() {
+        val rig = object : Rig() {
+            val free = Lamp("lamp", lamp(Vector3f(0f, 1.5f, 0f), null), POINT_K) { ownColor(it) }
+            override val lamps get() = listOf(free, head) + corners
+        }
+        val verdict = rig.verdict()
+        verdict.assertMistake(Mistake.LIGHT_NOT_CHILD)
+        assertEquals("lamp", verdict.mistakes.single().where)
+    }
+
+    @Test
+    fun `a point light that was not raised`() {
+        Rig(Vector3f()).verdict().assertMistake(Mistake.LIGHT_IN_GROUND)
+    }
+
+    @Test
+    fun `a view that undoes the motorcycle's scale`() {
+        val rig = object : Rig() {
+            override fun view() = camera.getWorldModelMatrix(Matrix4d()).invert()
+
+            override fun direction(lamp: Lamp, view: Matrix4d) = super.direction(lamp, view).normalize()
+        }
+        val verdict = rig.verdict()
+        verdict.assertMistake(Mistake.VIEW_SCALED)
+        assertEquals(0.25, verdict[Check.POINT_LIGHT_POSITION]?.error ?: 0.0, 1e-4, verdict.text())
+    }
+
+    @Test
+    fun `lights that went through the stretched view while the vertices did not`() {
+        val verdict = moved { rig, lamp, _ -> rig.camera.getWorldModelMatrix(Matrix4d()).invert().transformPosition(rig.world(lamp)) }
+        verdict.assertMistake(Mistake.VIEW_SCALED)
+    }
+
+    @Test
+    fun `world positions that never went through the view`() {
+        moved { rig, lamp, _ -> rig.world(lamp) }.assertMistake(Mistake.TO_LIGHT_WORLD)
+    }
+
+    @Test
+    fun `local positions that never went through the view`() {
+        moved { _, lamp, _ -> Vector3d(lamp.body.getPosition()) }.assertMistake(Mistake.TO_LIGHT_WORLD)
+    }
+
+    @Test
+    fun `positions that went through the view twice`() {
+        moved { rig, lamp, view -> view.transformPosition(view.transformPosition(rig.world(lamp))) }.assertMistake(Mistake.TO_LIGHT_WORLD)
+    }
+
+    @Test
+    fun `positions that are turned like directions`() {
+        moved { rig, lamp, view -> view.transformDirection(rig.world(lamp)) }.assertMistake(Mistake.TO_LIGHT_WORLD)
+    }
+
+    @Test
+    fun `positions that went through the camera's matrix`() {
+        moved { rig, lamp, view -> view.invert(Matrix4d()).transformPosition(rig.world(lamp)) }.assertMistake(Mistake.TO_LIGHT_WORLD)
+    }
+
+    @Test
+    fun `one light that is fixed to the camera, which may be its parent`() {
+        val rig = object : Rig() {
+            override fun position(lamp: Lamp, view: Matrix4d) = if (lamp === own) Vector3d(0.0, 1.0, -2.0) else super.position(lamp, view)
+        }
+        val verdict = rig.verdict()
+        verdict.assertMistake(Mistake.TO_LIGHT_WORLD)
+        assertEquals(listOf(Mistake.LIGHT_NOT_CHILD), verdict.mistakes.single().alternatives)
+    }
+
+    @Test
+    fun `local positions beside a camera that nobody can turn`() {
+        val rig = object : Rig() {
+            override val lamps get() = listOf(own, head)
+
+            override fun orbit(dx: Double, dy: Double) = Unit
+
+            override fun position(lamp: Lamp, view: Matrix4d) = Vector3d(lamp.body.getPosition())
+        }
+        val verdict = rig.verdict()
+        assertTrue(verdict[Mistake.TO_LIGHT_WORLD] != null, verdict.text())
+        assertTrue((verdict[Check.POINT_LIGHT_POSITION]?.error ?: 0.0) > 0.5, verdict.text())
+    }
+
+    @Test
+    fun `a position that never arrives is explained by its name`() {
+        val rig = object : Rig() {
+            override fun position(lamp: Lamp, view: Matrix4d) = if (lamp === own) Vector3d() else super.position(lamp, view)
+        }
+        val events = listOf(CapturedEvent(EventKind.UNIFORM_ABSENT, -1, "lightPositon"))
+        val verdict = rig.verdict(events = events, uniforms = setOf("lightPosition"))
+        assertEquals(Mistake.UNIFORM_ABSENT, verdict.mistakes.first().mistake, verdict.text())
+        verdict.assertCosts(Check.POINT_LIGHT_POSITION)
+    }
+
+    @Test
+    fun `the spotlight's position in the point light's uniform`() {
+        val rig = object : Rig() {
+            override fun position(lamp: Lamp, view: Matrix4d) = super.position(if (lamp === own) head else lamp, view)
+        }
+        rig.verdict().assertMistake(Mistake.LIGHT_POSITION_OVERWRITTEN)
+    }
+
+    @Test
+    fun `a corner's position in the point light's uniform`() {
+        val rig = object : Rig() {
+            override fun position(lamp: Lamp, view: Matrix4d) = super.position(if (lamp === own) corners.last() else lamp, view)
+        }
+        rig.verdict().assertMistake(Mistake.LIGHT_POSITION_OVERWRITTEN)
+    }
+
+    @Test
+    fun `no further lights, one, several of one colour, several at one place`() {
+        fun with(vararg further: Lamp) =
+            object : Rig() {
+                override val lamps get() = listOf(own, head) + further
+            }.verdict()
+
+        fun red(x: Float) = Lamp("red at $x", Rig.lamp(Vector3f(x, 1f, 9f), null), Rig.POINT_K) { Vector3d(x + 0.0, 0.0, 0.0) }
+
+        fun blue(x: Float) = Lamp("blue at $x", Rig.lamp(Vector3f(x, 1f, 9f), null), Rig.POINT_K) { Vector3d(0.0, 0.0, 1.0) }
+        with().assertMistake(Mistake.MORE_LIGHTS_MISSING, least = 1.0)
+        with(red(9f)).assertMistake(Mistake.MORE_LIGHTS_MISSING, least = 0.5)
+        with(red(9f), red(4f)).assertMistake(Mistake.MORE_LIGHTS_MISSING, least = 0.5)
+        with(red(9f), blue(4f)).assertRight()
+        val samePlace = with(red(9f), blue(9f))
+        assertEquals(0.5, samePlace[Check.MORE_LIGHTS]?.error, samePlace.text())
+    }
+
+    /** Of a scene whose light positions in view space are what [place] says. */
+    private fun moved(place: (Rig, Lamp, Matrix4d) -> Vector3d): SceneVerdict {
+        val rig = object : Rig() {
+            override fun position(lamp: Lamp, view: Matrix4d) = place(this, lamp, view)
+        }
+        return rig.verdict()
+    }
+}

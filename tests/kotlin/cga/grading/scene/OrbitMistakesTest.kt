@@ -1,0 +1,157 @@
+package cga.grading.scene
+
+import cga.grading.capture.Key
+import cga.grading.findings.Check
+import cga.grading.findings.Mistake
+import org.joml.Vector3f
+import org.junit.jupiter.api.Assertions.assertEquals
+import org.junit.jupiter.api.Assertions.assertTrue
+import org.junit.jupiter.api.Test
+
+/** What can be wrong with the camera and the mouse. */
+class OrbitMistakesTest {
+    private val all = arrayOf(Check.ORBIT, Check.ORBIT_PIVOT, Check.ORBIT_HORIZON, Check.ORBIT_FACTOR, Check.ORBIT_START)
+
+    @Test
+    fun `the mouse does nothing`() {
+        turning { _, _, _ -> }.assertMistake(Mistake.ORBIT_MISSING, *all, least = 1.0)
+    }
+
+    @Test
+    fun `the mouse turns the motorcycle, the camera with it`() {
+        val verdict = turning { rig, dx, _ -> rig.motorcycle.rotateLocal(0f, dx, 0f) }
+        verdict.assertMistake(Mistake.ORBIT_MISSING, *all, least = 1.0)
+        assertTrue("motorcycle" in verdict.mistakes.single().where, verdict.text())
+    }
+
+    @Test
+    fun `the mouse pushes the camera aside`() {
+        turning { rig, dx, _ -> rig.camera.translateLocal(Vector3f(dx, 0f, 0f)) }.assertMistake(Mistake.ORBIT_MISSING, *all, least = 1.0)
+    }
+
+    @Test
+    fun `about the camera's own axis on the spot, which costs the horizon and not the pivot too`() {
+        turning { rig, dx, _ -> rig.camera.rotateLocal(0f, dx, 0f) }.assertMistake(Mistake.ORBIT_OWN_AXIS, least = 0.3)
+    }
+
+    @Test
+    fun `about an axis through the motorcycle that is tilted with the camera`() {
+        val verdict =
+            turning { rig, dx, _ ->
+                rig.camera.translateLocal(Vector3f(0f, 0f, -4f))
+                rig.camera.rotateLocal(0f, dx, 0f)
+                rig.camera.translateLocal(Vector3f(0f, 0f, 4f))
+            }
+        verdict.assertMistake(Mistake.ORBIT_OWN_AXIS, least = 0.3)
+    }
+
+    @Test
+    fun `about the motorcycle's world position in the motorcycle's own space`() {
+        val verdict = turning { rig, dx, _ -> rig.camera.rotateAroundPoint(0f, dx, 0f, rig.motorcycle.getWorldPosition()) }
+        verdict.assertMistake(Mistake.ORBIT_PIVOT, least = 0.5)
+        assertTrue("own space" in verdict.mistakes.single().where, verdict.text())
+        assertTrue(verdict.mistakes.single().fit < 1e-3, verdict.text())
+    }
+
+    @Test
+    fun `about the origin of the world`() {
+        val rig = object : Rig() {
+            override fun orbit(dx: Double, dy: Double) {
+                val origin = motorcycle.getWorldModelMatrix().invert().transformPosition(Vector3f())
+                camera.rotateAroundPoint(0f, (0.002 * dx).toFloat(), 0f, origin)
+            }
+        }
+        val verdict = rig.verdict()
+        verdict.assertMistake(Mistake.ORBIT_PIVOT, least = 0.5)
+        assertTrue("origin" in verdict.mistakes.single().where, verdict.text())
+    }
+
+    @Test
+    fun `on the spot with a level horizon`() {
+        val verdict = turning { rig, dx, _ -> rig.camera.rotateAroundPoint(0f, dx, 0f, rig.camera.getPosition()) }
+        verdict.assertMistake(Mistake.ORBIT_PIVOT, least = 0.5)
+        assertTrue("camera itself" in verdict.mistakes.single().where, verdict.text())
+    }
+
+    @Test
+    fun `half as fast, in degrees, and in degrees taken for radians`() {
+        for (factor in listOf(0.5, Math.toRadians(1.0), 2.5)) {
+            val verdict = turning { rig, dx, _ -> rig.camera.rotateAroundPoint(0f, (dx * factor).toFloat(), 0f, Vector3f()) }
+            verdict.assertMistake(Mistake.MOUSE_FACTOR, least = 0.3)
+        }
+    }
+
+    @Test
+    fun `a turn that goes on while the mouse rests`() {
+        val rig = object : Rig() {
+            var speed = 0.0
+
+            override fun orbit(dx: Double, dy: Double) {
+                speed = dx
+            }
+
+            override fun update(dt: Double, t: Double, keys: Set<Key>) {
+                super.update(dt, t, keys)
+                camera.rotateAroundPoint(0f, (0.002 * speed).toFloat(), 0f, Vector3f())
+            }
+        }
+        val verdict = rig.verdict()
+        assertEquals(Mistake.MOUSE_FACTOR, verdict.mistakes.first().mistake, verdict.text())
+        assertEquals(0.0, verdict[Check.ORBIT_PIVOT]?.error ?: 1.0, 1e-4, verdict.text())
+    }
+
+    @Test
+    fun `a first event that is measured from the corner of the screen, or from -1`() {
+        for (start in listOf(0.0, -1.0)) {
+            val rig = object : Rig() {
+                init {
+                    lastX = start
+                    lastY = start
+                }
+            }
+            val verdict = rig.verdict()
+            verdict.assertMistake(Mistake.MOUSE_JUMP, least = 0.9)
+            assertTrue(verdict.mistakes.single().fit < 1e-3, verdict.text())
+        }
+    }
+
+    @Test
+    fun `a first event under Alt that is measured from the corner of the screen`() {
+        val rig = object : Rig() {
+            init {
+                lastX = 0.0
+                lastY = 0.0
+            }
+
+            override fun mouse(x: Double, y: Double, alt: Boolean) {
+                if (alt) super.mouse(x, y, true)
+            }
+        }
+        rig.verdict().assertMistake(Mistake.MOUSE_JUMP, least = 0.9)
+    }
+
+    @Test
+    fun `pitch on the spot takes the motorcycle out of focus`() {
+        val verdict =
+            turning { rig, dx, dy ->
+                rig.camera.rotateAroundPoint(0f, dx, 0f, Vector3f())
+                rig.camera.rotateLocal(dy, 0f, 0f)
+            }
+        verdict.assertMistake(Mistake.ORBIT_PIVOT, least = 0.5)
+    }
+
+    @Test
+    fun `pitch about the motorcycle's axis tilts the horizon`() {
+        val verdict = turning { rig, dx, dy -> rig.camera.rotateAroundPoint(dy, dx, 0f, Vector3f()) }
+        verdict.assertMistake(Mistake.ORBIT_OWN_AXIS)
+        assertTrue("up or down" in verdict.mistakes.single().where, verdict.text())
+    }
+
+    /** Of a scene in which the mouse does [turn] with radians. */
+    private fun turning(turn: (Rig, Float, Float) -> Unit): SceneVerdict {
+        val rig = object : Rig() {
+            override fun orbit(dx: Double, dy: Double) = turn(this, (0.002 * dx).toFloat(), (0.002 * dy).toFloat())
+        }
+        return rig.verdict()
+    }
+}

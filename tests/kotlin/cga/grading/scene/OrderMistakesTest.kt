@@ -1,0 +1,132 @@
+package cga.grading.scene
+
+import cga.grading.capture.CapturedEvent
+import cga.grading.capture.EventKind
+import cga.grading.capture.Key
+import cga.grading.capture.Moment
+import cga.grading.findings.Check
+import cga.grading.findings.Mistake
+import org.joml.Matrix4d
+import org.joml.Vector3d
+import org.junit.jupiter.api.Assertions.assertEquals
+import org.junit.jupiter.api.Assertions.assertNull
+import org.junit.jupiter.api.Assertions.assertTrue
+import org.junit.jupiter.api.Test
+
+/** What can be set too late or in vain. */
+class OrderMistakesTest {
+    /** Draws after every second update, and binds its lights after that. */
+    private open class LateRig : Rig() {
+        protected var seen: List<ObservedLight> = emptyList()
+        private var bound: List<ObservedLight> = emptyList()
+        private var updates = 0
+
+        override fun update(dt: Double, t: Double, keys: Set<Key>) {
+            super.update(dt, t, keys)
+            if (++updates % 2 == 0) render(t)
+        }
+
+        private fun render(t: Double) {
+            seen = bound
+            bound = now(t, view())
+        }
+
+        private fun now(t: Double, view: Matrix4d) = lamps.map { observed(it, t, view) }
+
+        override fun lights(moment: Moment, t: Double, view: Matrix4d): List<ObservedLight> {
+            if (moment != Moment.FIRST) return seen
+            bound = now(t, view)
+            return bound.map { ObservedLight(it.name, Vector3d(), Vector3d(), Vector3d(), it.spot) }
+        }
+    }
+
+    @Test
+    fun `lights bound after the draws are missing in the first frame and late in all others`() {
+        LateRig().verdict().assertMistake(Mistake.LIGHTS_AFTER_DRAWS)
+    }
+
+    @Test
+    fun `lights that lack only their attenuation in the first frame`() {
+        val rig = object : Rig() {
+            override fun lights(moment: Moment, t: Double, view: Matrix4d): List<ObservedLight> {
+                val right = super.lights(moment, t, view)
+                if (moment != Moment.FIRST) return right
+                return right.map { ObservedLight(it.name, it.position, it.color, Vector3d(), it.spot) }
+            }
+        }
+        rig.verdict().assertMistake(Mistake.LIGHTS_AFTER_DRAWS)
+    }
+
+    @Test
+    fun `lights bound between the ground and the motorcycle`() {
+        val rig = object : LateRig() {
+            override fun objects(t: Double, lights: List<ObservedLight>): List<ObservedObject> {
+                val (ground, motorcycle) = super.objects(t, lights)
+                val view = view()
+                val now = lamps.map { observed(it, t, view) }
+                return listOf(ground, ObservedObject(motorcycle.model, motorcycle.tint, now, motorcycle.vertices, motorcycle.buffers))
+            }
+        }
+        rig.verdict().assertMistake(Mistake.LIGHTS_AFTER_DRAWS)
+    }
+
+    @Test
+    fun `a view that is there from the second frame on`() {
+        val rig = object : Rig() {
+            override fun frame(moment: Moment, t: Double): ObservedFrame {
+                val right = super.frame(moment, t)
+                val view = if (moment == Moment.FIRST) Matrix4d().zero() else right.view
+                return ObservedFrame(moment, t, view, right.projection, right.objects, right.lights)
+            }
+        }
+        rig.verdict().assertMistake(Mistake.LIGHTS_AFTER_DRAWS)
+    }
+
+    @Test
+    fun `uniforms set before their program is in use for the first time`() {
+        class Rigged : Rig() {
+            override fun lights(moment: Moment, t: Double, view: Matrix4d) =
+                if (moment == Moment.FIRST) emptyList() else super.lights(moment, t, view)
+        }
+        val events = listOf(CapturedEvent(EventKind.UNIFORM_WITHOUT_PROGRAM, 0, "glUniform3f"))
+        Rigged().verdict(events = events).assertMistake(Mistake.UNIFORM_BEFORE_USE)
+        Rigged().verdict().assertMistake(Mistake.LIGHTS_AFTER_DRAWS)
+    }
+
+    @Test
+    fun `uniforms that are never set because no program is in use`() {
+        val rig = object : Rig() {
+            override val lamps get() = listOf(own) + corners
+        }
+        val verdict = rig.verdict(events = listOf(CapturedEvent(EventKind.UNIFORM_WITHOUT_PROGRAM, -1, "glUniform3f")))
+        assertEquals(listOf(Mistake.UNIFORM_BEFORE_USE, Mistake.SPOT_MISSING), verdict.mistakes.map { it.mistake }, verdict.text())
+        assertEquals(1.0, verdict[Check.ORDER]?.error)
+    }
+
+    @Test
+    fun `events that spoil nothing are notes`() {
+        val events =
+            listOf(
+                CapturedEvent(EventKind.UNIFORM_ABSENT, 0, "lightDirection"),
+                CapturedEvent(EventKind.UNIFORM_WITHOUT_PROGRAM, -1, "glUniform1i"),
+                CapturedEvent(EventKind.GL_ERROR, 2, "GL_INVALID_ENUM in glEnable"),
+            )
+        val verdict = Rig().verdict(events = events)
+        verdict.assertRight()
+        assertEquals(3, verdict.notes.size, verdict.text())
+        assertTrue(verdict.notes.any { "GL_INVALID_ENUM in glEnable" in it })
+    }
+
+    @Test
+    fun `without the first two frames nothing is said of the order`() {
+        assertNull(SceneJudge.judge(Rig().play().drop(1), emptyList())[Check.ORDER]?.error)
+    }
+
+    @Test
+    fun `letters are counted as they must be changed`() {
+        assertEquals(0, editDistance("lightPos", "LIGHTPOS"))
+        assertEquals(2, editDistance("lightPos", "lihgtPos"))
+        assertEquals(3, editDistance("kitten", "sitting"))
+        assertEquals(4, editDistance("", "four"))
+    }
+}

@@ -1,0 +1,149 @@
+package cga.grading.scene
+
+import cga.grading.capture.CapturedEvent
+import cga.grading.capture.EventKind
+import cga.grading.findings.Check
+import cga.grading.findings.Mistake
+import org.joml.Matrix4d
+import org.joml.Vector3d
+import org.joml.Vector3f
+import org.junit.jupiter.api.Assertions.assertEquals
+import org.junit.jupiter.api.Test
+
+/** What can be wrong with the headlight and with how lights fade. */
+class SpotMistakesTest {
+    @Test
+    fun `the headlight is missing`() {
+        val rig = object : Rig() {
+            override val lamps get() = listOf(own) + corners
+        }
+        val costs = arrayOf(Check.SPOT_LIGHT, Check.SPOT_LIGHT_CHILD, Check.SPOT_DIRECTION, Check.CONE, Check.ATTENUATION_SPOT)
+        rig.verdict().assertMistake(Mistake.SPOT_MISSING, *costs)
+    }
+
+    @Test
+    fun `a headlight that is no child stays behind, and its direction costs nothing more`() {
+        val rig = object : Rig() {
+            val free = Lamp("lamp", lamp(Vector3f(0f, 0.9f, -1.6f), null), SPOT_K, 0.2, 0.4, true) { HEAD_COLOR }
+            override val lamps get() = listOf(own, free) + corners
+        }
+        val verdict = rig.apply { free.body.rotateLocal(Rig.radians(-5.0), 0f, 0f) }.verdict()
+        verdict.assertMistake(Mistake.SPOT_NOT_CHILD)
+    }
+
+    @Test
+    fun `a headlight that moves with the motorcycle but does not turn around it`() {
+        val rig = object : Rig() {
+            override fun position(lamp: Lamp, view: Matrix4d): Vector3d {
+                if (lamp !== head) return super.position(lamp, view)
+                return view.transformPosition(Vector3d(motorcycle.getWorldPosition()).add(0.0, 0.8, -1.3))
+            }
+        }
+        rig.verdict().assertMistake(Mistake.SPOT_NOT_CHILD)
+    }
+
+    @Test
+    fun `the bind that sends neither cone nor direction costs the cone`() {
+        val rig = object : Rig() {
+            val odd = Lamp("lamp", head.body, SPOT_K, Double.NaN, Double.NaN, true) { HEAD_COLOR }
+            override val lamps get() = listOf(own, odd) + corners
+
+            override fun direction(lamp: Lamp, view: Matrix4d) = Vector3d(Double.NaN)
+        }
+        rig.verdict().assertMistake(Mistake.CONE_NEVER_SENT)
+    }
+
+    @Test
+    fun `a direction in world space`() {
+        aimed { rig, _ -> rig.worldDirection(rig.head) }.assertMistake(Mistake.SPOT_DIRECTION_WORLD)
+    }
+
+    @Test
+    fun `a direction in local space, untouched`() {
+        aimed { _, _ -> Vector3d(0.0, -0.1, -1.0).normalize() }.assertMistake(Mistake.SPOT_DIRECTION_LOCAL)
+    }
+
+    @Test
+    fun `a direction in local space that went through the view`() {
+        aimed { _, view -> view.transformDirection(Vector3d(0.0, -0.1, -1.0).normalize()) }.assertMistake(Mistake.SPOT_DIRECTION_LOCAL)
+    }
+
+    @Test
+    fun `a direction with its sign turned, and one that is tilted the wrong way`() {
+        aimed { rig, view -> view.transformDirection(rig.worldDirection(rig.head)).negate() }.assertMistake(Mistake.SPOT_DIRECTION_SIGN)
+        val up = object : Rig() {
+            init {
+                head.body.rotateLocal(radians(20.0), 0f, 0f)
+            }
+        }
+        up.verdict().assertMistake(Mistake.SPOT_DIRECTION_SIGN)
+    }
+
+    @Test
+    fun `a direction that is moved like a position is measured, though it has no name`() {
+        val verdict = aimed { rig, view -> view.transformPosition(rig.worldDirection(rig.head)).normalize() }
+        verdict.assertCosts(Check.SPOT_DIRECTION)
+    }
+
+    @Test
+    fun `a direction that never arrives is explained by its name`() {
+        val rig = object : Rig() {
+            override fun direction(lamp: Lamp, view: Matrix4d) = Vector3d()
+        }
+        val verdict = rig.verdict(events = listOf(CapturedEvent(EventKind.UNIFORM_ABSENT, 3, "spotDirecton")))
+        verdict.assertMistake(Mistake.UNIFORM_ABSENT, Check.SPOT_DIRECTION)
+    }
+
+    @Test
+    fun `a cone inside out costs the cone only`() {
+        val rig = object : Rig() {
+            val odd = Lamp("lamp", head.body, SPOT_K, Math.toRadians(25.0), Math.toRadians(10.0), true) { HEAD_COLOR }
+            override val lamps get() = listOf(own, odd) + corners
+        }
+        rig.verdict().assertMistake(Mistake.CONE_INSIDE_OUT)
+    }
+
+    @Test
+    fun `the first light's K for all, the last one's, none, a linear one, swapped ones`() {
+        val point = Rig.POINT_K
+        val spot = Rig.SPOT_K
+        val none = Vector3d(1.0, 0.0, 0.0)
+        val both = arrayOf(Check.ATTENUATION_POINT, Check.ATTENUATION_SPOT)
+        fading(point, point).assertMistake(Mistake.ATTENUATION_ONE_K)
+        fading(spot, spot).assertMistake(Mistake.ATTENUATION_LAST_K)
+        fading(none, none).assertMistake(Mistake.ATTENUATION_MISSING, *both)
+        fading(Vector3d(1.0, 0.5, 0.0), spot).assertMistake(Mistake.ATTENUATION_LINEAR, Check.ATTENUATION_POINT)
+        fading(spot, point).assertMistake(Mistake.ATTENUATION_OTHER_K, *both)
+        fading(Vector3d(1.0, 0.14, 0.07), spot).assertMistake(Mistake.ATTENUATION_OTHER_K)
+    }
+
+    @Test
+    fun `the later edition leaves the attenuation free, but wants one`() {
+        val square = Vector3d(0.0, 0.0, 1.0)
+        fading(square, square, SceneProfile.LATER).assertRight()
+        val both = arrayOf(Check.ATTENUATION_POINT, Check.ATTENUATION_SPOT)
+        val none = Vector3d(1.0, 0.0, 0.0)
+        fading(none, none, SceneProfile.LATER).assertMistake(Mistake.ATTENUATION_MISSING, *both)
+        assertEquals(2, fading(square, square).checks.count { it.check in both && (it.error ?: 0.0) > 0.5 })
+    }
+
+    private fun aimed(direction: (Rig, Matrix4d) -> Vector3d): SceneVerdict {
+        val rig = object : Rig() {
+            override fun direction(lamp: Lamp, view: Matrix4d) = direction(this, view)
+        }
+        return rig.verdict()
+    }
+
+    private fun fading(
+        point: Vector3d,
+        spot: Vector3d,
+        profile: SceneProfile = SceneProfile.SHEET,
+    ): SceneVerdict {
+        val rig = object : Rig() {
+            val fadingPoint = Lamp("point", own.body, point) { ownColor(it) }
+            val fadingSpot = Lamp("spot", head.body, spot, 0.2, 0.4, true) { HEAD_COLOR }
+            override val lamps get() = listOf(fadingPoint, fadingSpot) + corners
+        }
+        return rig.verdict(profile)
+    }
+}

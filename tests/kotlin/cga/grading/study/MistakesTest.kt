@@ -1,0 +1,201 @@
+package cga.grading.study
+
+import cga.grading.capture.CapturedDraw
+import cga.grading.findings.Found
+import cga.grading.findings.Mistake
+import cga.testing.Offscreen
+import org.joml.Matrix4dc
+import org.joml.Vector3d
+import org.junit.jupiter.api.Assertions.assertEquals
+import org.junit.jupiter.api.DynamicTest
+import org.junit.jupiter.api.DynamicTest.dynamicTest
+import org.junit.jupiter.api.TestFactory
+import org.junit.jupiter.api.extension.ExtendWith
+
+@ExtendWith(Offscreen::class)
+class MistakesTest {
+    private val scene = TestScene()
+
+    private class Case(
+        val name: String,
+        val expected: Set<Mistake>,
+        val vertex: String = CourseShaders.VERTEX,
+        val fragment: String = CourseShaders.FRAGMENT,
+        val sent: (Matrix4dc, Map<String, Any>) -> Map<String, Any> = { _, it -> it },
+    )
+
+    private fun vertex(
+        mistake: Mistake,
+        name: String,
+        old: String,
+        new: String,
+    ) = Case(name, setOf(mistake), vertex = CourseShaders.VERTEX.edited(old, new))
+
+    private fun fragment(
+        mistake: Mistake?,
+        name: String,
+        vararg edits: Pair<String, String>,
+    ) = Case(name, setOfNotNull(mistake), fragment = edits.fold(CourseShaders.FRAGMENT) { text, (old, new) -> text.edited(old, new) })
+
+    private fun values(
+        mistake: Mistake?,
+        name: String,
+        vararg replaced: Pair<String, Any>,
+    ) = Case(name, setOfNotNull(mistake), sent = { _, it -> it + replaced })
+
+    private val mistakes =
+        listOf(
+            fragment(Mistake.VIEW_VECTOR_SIGN, "view vector sign", "normalize(vertexData.toCamera)" to "normalize(-vertexData.toCamera)"),
+            vertex(Mistake.VIEW_VECTOR_SIGN, "view vector sign in the vertex shader", "toCamera = -pos.xyz", "toCamera = pos.xyz"),
+            vertex(
+                Mistake.NORMALIZED_IN_VERTEX_SHADER,
+                "toLight normalised in the vertex shader",
+                "(view_matrix * vec4(pointLightPos, 1.0)).xyz - pos.xyz",
+                "normalize((view_matrix * vec4(pointLightPos, 1.0)).xyz - pos.xyz)",
+            ),
+            vertex(Mistake.NORMALIZED_IN_VERTEX_SHADER, "toCamera normalised in the vertex shader", "-pos.xyz;", "normalize(-pos.xyz);"),
+            fragment(Mistake.NORMAL_NOT_RENORMALIZED, "normal not renormalised", "normalize(vertexData.normal)" to "vertexData.normal"),
+            vertex(
+                Mistake.NORMAL_MATRIX,
+                "normals by the model matrix",
+                "(inverse(transpose(modelView)) * vec4(normal, 0.0)).xyz",
+                "mat3(model_matrix) * normal",
+            ),
+            vertex(Mistake.NORMAL_MATRIX, "normals untransformed", "(inverse(transpose(modelView)) * vec4(normal, 0.0)).xyz", "normal"),
+            vertex(Mistake.NORMAL_MATRIX, "normals by the view matrix only", "inverse(transpose(modelView))", "view_matrix"),
+            vertex(
+                Mistake.NORMAL_MATRIX,
+                "normals moved with the model",
+                "inverse(transpose(modelView)) * vec4(normal, 0.0)",
+                "modelView * vec4(normal, 1.0)",
+            ),
+            vertex(Mistake.NORMAL_MATRIX, "normals by the inverse", "inverse(transpose(modelView))", "inverse(modelView)"),
+            vertex(
+                Mistake.TO_LIGHT_WORLD,
+                "toLight in world space",
+                "(view_matrix * vec4(pointLightPos, 1.0)).xyz - pos.xyz",
+                "pointLightPos - (model_matrix * vec4(position, 1.0)).xyz",
+            ),
+            fragment(Mistake.CLAMP_MISSING, "diffuse clamp missing", "max(dot(n, l), 0.0)" to "dot(n, l)"),
+            fragment(Mistake.SPECULAR_CLAMP_MISSING, "specular clamp missing", "max(dot(n, h), 0.0)" to "dot(n, h)"),
+            fragment(Mistake.EXPONENT_FIXED, "exponent fixed", "pow(cosBeta, shininess)" to "pow(cosBeta, 32.0)"),
+            fragment(Mistake.SPECULAR_MISSING, "specular missing", " + specular * pow(cosBeta, shininess)" to ""),
+            fragment(Mistake.DIFFUSE_MISSING, "diffuse missing", "diffuse * cosAlpha + " to ""),
+            fragment(
+                Mistake.MAPS_SWAPPED,
+                "maps swapped",
+                "texture(diff," to "texture(spec,",
+                "specular = texture(spec," to "specular = texture(diff,",
+            ),
+            values(Mistake.SAMPLER_UNIT, "sampler left at unit 0", "spec" to 0),
+            fragment(
+                Mistake.CONE_INSIDE_OUT,
+                "cone by the sheet's letters",
+                "(theta - outer) / (inner - outer)" to "(theta - inner) / (outer - inner)",
+            ),
+            values(Mistake.CONE_INSIDE_OUT, "inner and outer swapped", "spotInner" to scene.outer, "spotOuter" to scene.inner),
+            values(
+                Mistake.COSINE_OF_COSINE,
+                "cosines sent as angles",
+                "spotInner" to Math.cos(scene.inner),
+                "spotOuter" to Math.cos(scene.outer),
+            ),
+            fragment(
+                Mistake.COSINE_OF_COSINE,
+                "cosine twice",
+                "cos(spotInner)" to "cos(cos(spotInner))",
+                "cos(spotOuter)" to "cos(cos(spotOuter))",
+            ),
+            values(Mistake.DEGREES_FOR_RADIANS, "degrees sent", "spotInner" to 12.5, "spotOuter" to 25.0),
+            values(Mistake.DEGREES_FOR_RADIANS, "other degrees sent", "spotInner" to 20.0, "spotOuter" to 30.0),
+            fragment(
+                Mistake.DEGREES_FOR_RADIANS,
+                "degrees written into the shader",
+                "cos(spotInner)" to "cos(15.0)",
+                "cos(spotOuter)" to "cos(30.0)",
+            ),
+            fragment(
+                Mistake.CONE_CLAMP_MISSING,
+                "cone clamp missing",
+                "clamp((theta - outer) / (inner - outer), 0.0, 1.0)" to "(theta - outer) / (inner - outer)",
+            ),
+            fragment(
+                Mistake.CONE_CLAMP_MISSING,
+                "cone clamped below only",
+                "clamp((theta - outer) / (inner - outer), 0.0, 1.0)" to "max((theta - outer) / (inner - outer), 0.0)",
+            ),
+            fragment(
+                Mistake.CONE_CLAMP_MISSING,
+                "cone clamped above only",
+                "clamp((theta - outer) / (inner - outer), 0.0, 1.0)" to "min((theta - outer) / (inner - outer), 1.0)",
+            ),
+            fragment(
+                Mistake.CONE_HARD_EDGE,
+                "cone with a hard edge",
+                "clamp((theta - outer) / (inner - outer), 0.0, 1.0)" to "theta > outer ? 1.0 : 0.0",
+            ),
+            fragment(
+                Mistake.SPECULAR_NOT_CONED,
+                "specular not limited by the cone",
+                "shade(n, ls, v, diffuse, specular) * spotLightColor * attenuate(ds, spotLightAttenuation) * cone(ls)" to
+                    "(shade(n, ls, v, diffuse, vec3(0)) * cone(ls) + shade(n, ls, v, vec3(0), specular)) * spotLightColor * attenuate(ds, spotLightAttenuation)",
+            ),
+            fragment(Mistake.ATTENUATION_MISSING, "attenuation missing", "return 1.0 / (k.x + k.y * d + k.z * d * d)" to "return 1.0"),
+            fragment(Mistake.ATTENUATION_LINEAR, "attenuation linear", " + k.z * d * d" to ""),
+            fragment(
+                Mistake.ATTENUATION_ON_DIFFUSE_ONLY,
+                "attenuation on diffuse only",
+                "vec3 shade(vec3 n, vec3 l, vec3 v, vec3 diffuse, vec3 specular)" to
+                    "vec3 shade(vec3 n, vec3 l, vec3 v, vec3 diffuse, vec3 specular, float f)",
+                "diffuse * cosAlpha" to "f * diffuse * cosAlpha",
+                "shade(n, lp, v, diffuse, specular) * pointLightColor * attenuate(dp, pointLightAttenuation)" to
+                    "shade(n, lp, v, diffuse, specular, attenuate(dp, pointLightAttenuation)) * pointLightColor",
+                "shade(n, lc, v, diffuse, specular) * cornerLightColor * attenuate(dc, cornerLightAttenuation)" to
+                    "shade(n, lc, v, diffuse, specular, attenuate(dc, cornerLightAttenuation)) * cornerLightColor",
+                "shade(n, ls, v, diffuse, specular) * spotLightColor * attenuate(ds, spotLightAttenuation)" to
+                    "shade(n, ls, v, diffuse, specular, attenuate(ds, spotLightAttenuation)) * spotLightColor",
+            ),
+            fragment(
+                Mistake.EMISSION_MULTIPLIED,
+                "emission multiplied",
+                "color = vec4(result" to "color = vec4((result - emission) * emission",
+            ),
+            fragment(Mistake.EMISSION_COLOR_IGNORED, "emission colour ignored", " * sceneColour" to ""),
+            fragment(Mistake.EMISSION_MISSING, "emission missing", "vec3 result = emission" to "vec3 result = vec3(0.0)"),
+            fragment(Mistake.LATER_LIGHTS_FIRST_COSINE, "later light with the first one's cosine", "shade(n, lc, v" to "shade(n, lp, v"),
+            fragment(
+                Mistake.LATER_LIGHTS_FIRST_COLOR,
+                "later light with the first one's colour",
+                "* cornerLightColor" to "* pointLightColor",
+            ),
+            fragment(Mistake.PHONG_LEFT, "Phong", "dot(n, h)" to "dot(reflect(-l, n), v)"),
+            fragment(Mistake.HALF_VECTOR_NOT_NORMALIZED, "half vector not normalised", "normalize(l + v)" to "l + v"),
+            fragment(Mistake.HALF_VECTOR_NOT_NORMALIZED, "half vector as the mean", "normalize(l + v)" to "(l + v) / 2.0"),
+            fragment(Mistake.GAMMA_DIRECTION, "gamma in the wrong direction", "vec4(result" to "vec4(pow(result, vec3(2.2))"),
+            Case("view space scaled", setOf(Mistake.VIEW_SCALED), sent = { _, it ->
+                it +
+                    ("view_matrix" to org.joml.Matrix4d().scale(1.25).mul(scene.view))
+            }),
+            values(Mistake.CONE_NEVER_SENT, "cone never sent", "spotInner" to 0.0, "spotOuter" to 0.0, "spotLightDirection" to Vector3d()),
+        )
+
+    @TestFactory
+    fun `a mistake is named`(): List<DynamicTest> = mistakes.map { case -> dynamicTest(case.name) { check(case) } }
+
+    private fun check(case: Case) {
+        val capture = SceneCapture.of(case.vertex, case.fragment, scene) { model -> case.sent(model, scene.uniforms(model)) }
+        val found = mutableListOf<Found>()
+        ProbeRig().use { rig ->
+            ProbeProgram(capture.programs[0]).use { program ->
+                found += ProgramDeviations.of(ProgramStudy.of(rig, program, capture, 0, capture.frames[0].steps[1] as CapturedDraw))
+            }
+        }
+        assertEquals(
+            case.expected,
+            found
+                .map {
+                    it.mistake
+                }.toSet(),
+        ) { found.joinToString("\n") { "${it.mistake} at ${it.where}: fit ${it.fit}, difference ${it.difference}" } }
+    }
+}

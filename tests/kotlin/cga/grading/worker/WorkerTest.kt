@@ -1,0 +1,185 @@
+package cga.grading.worker
+
+import cga.framework.RenderTarget
+import cga.grading.capture.CapturedDraw
+import cga.grading.capture.EventKind
+import cga.grading.capture.Moment
+import cga.grading.replay.Replay
+import cga.testing.Offscreen
+import org.junit.jupiter.api.Assertions.assertArrayEquals
+import org.junit.jupiter.api.Assertions.assertEquals
+import org.junit.jupiter.api.Assertions.assertFalse
+import org.junit.jupiter.api.Assertions.assertNotEquals
+import org.junit.jupiter.api.Assertions.assertTrue
+import org.junit.jupiter.api.Test
+import org.junit.jupiter.api.extension.ExtendWith
+import kotlin.io.path.exists
+
+/** Small programs run in a worker of their own, and what their captures tell. */
+@ExtendWith(Offscreen::class)
+class WorkerTest {
+    private fun WorkerProcess.events(kind: EventKind) = capture.events.filter { it.kind == kind }.map { it.text }
+
+    private fun WorkerProcess.draws(frame: Int) = capture.frames[frame].steps.filterIsInstance<CapturedDraw>()
+
+    /** Draws every frame again and compares those that the worker drew, byte for byte. */
+    private fun assertReplays(run: WorkerProcess) {
+        val capture = run.capture
+        assertEquals(Moment.entries, capture.frames.map { it.moment })
+        RenderTarget(capture.width, capture.height, capture.samples).use { target ->
+            Replay(capture).use { replay ->
+                capture.frames.forEachIndexed { number, frame ->
+                    replay.draw(number, target)
+                    assertEquals(frame.moment.drawn, frame.picture != null)
+                    frame.picture?.let { assertArrayEquals(it, target.read().rgba, "frame $number") }
+                }
+            }
+        }
+    }
+
+    @Test
+    fun `the solution is captured without a complaint, and its pictures come again`() {
+        val run = WorkerProcess.ofStudent("Solution")
+        assertEquals(0, run.exitCode, "$run")
+        assertEquals(emptyList<String>(), run.capture.events.filter { it.kind != EventKind.UNIFORM_ABSENT }.map { "${it.kind} ${it.text}" })
+        assertReplays(run)
+        assertEquals(4, run.capture.samples)
+        assertTrue(run.capture.frames.all { frame -> frame.steps.count { it is CapturedDraw } > 1 })
+        // What is uploaded once is captured once.
+        assertEquals(run.capture.buffers.size, run.capture.buffers.distinctBy { it.contentHashCode() }.size)
+    }
+
+    @Test
+    fun `the script is played with numbers for the time, and with keys and mouse as events and as state`() {
+        val run = WorkerProcess.ofStudent("Listener")
+        val lines = run.out.trim().lines()
+        assertEquals(emptyList<String>(), lines.filter { it.startsWith("update") }, "an update came with another time than its number's")
+        assertEquals("frame 0 after 0 updates W false mouse 640.0 360.0", lines.first())
+        assertEquals("frame 1 after 1 updates W false mouse 640.0 360.0", lines[1])
+        assertEquals("end", lines.last())
+        val driven = Moment.DRIVEN.ordinal
+        val at = lines.indexOfFirst { it.startsWith("frame $driven ") }
+        assertEquals("key 87 action 1 mode 0 held true", lines[at - 1])
+        assertTrue("W true" in lines[at], lines[at])
+        // 5 s of time and 1 s of driving at 60 updates a second, and the second frame's one.
+        val updates = Math.round(Moment.entries.take(driven + 1).sumOf { it.seconds } * 60)
+        assertTrue("after $updates updates" in lines[at], lines[at])
+        assertTrue("mouse 740.0 360.0 is 740.0 360.0" in lines)
+        assertTrue("key 342 action 1 mode 4 held true" in lines)
+        assertTrue("key 342 action 0 mode 0 held false" in lines)
+        assertReplays(run)
+        assertEquals(updates / 60.0, run.capture.frames[driven].time)
+    }
+
+    @Test
+    fun `what changes between two draws is captured as it was at each`() {
+        val run = WorkerProcess.ofStudent("Changer")
+        assertEquals(emptyList<String>(), run.capture.events.map { "${it.kind} ${it.text}" })
+        assertReplays(run)
+        assertEquals(0, run.capture.samples)
+        val (first, second) = run.draws(0)
+        assertNotEquals(first.textures, second.textures)
+        assertNotEquals(first.attributes[0].buffer, run.draws(1)[0].attributes[0].buffer)
+    }
+
+    @Test
+    fun `errors are noted with their function, and the student's own glGetError still sees the first`() {
+        val run = WorkerProcess.ofStudent("Erring")
+        assertEquals("1280 then 0", run.out.trim())
+        assertEquals(
+            listOf("GL_INVALID_ENUM glEnable", "GL_INVALID_ENUM glBindTexture", "GL_INVALID_OPERATION glUniform3f"),
+            run.events(EventKind.GL_ERROR),
+        )
+        assertEquals(listOf("nowhere"), run.events(EventKind.UNIFORM_ABSENT))
+        assertEquals(listOf("glUniform3f color"), run.events(EventKind.UNIFORM_WITHOUT_PROGRAM))
+        assertTrue(run.capture.events.all { it.frame == 0 })
+        assertReplays(run)
+    }
+
+    @Test
+    fun `a draw beyond its buffers is left out and told`() {
+        val run = WorkerProcess.ofStudent("Reckless")
+        assertEquals("alive, error 1280", run.out.trim(), "$run")
+        assertEquals(
+            listOf(
+                "glDrawArrays reads vertex 2999999, beyond the buffer of vertex attribute 0",
+                "glDrawElements without an index buffer",
+                "glDrawElements reads vertex 3000000, beyond the buffer of vertex attribute 0",
+                "glDrawElements reads beyond its index buffer",
+            ),
+            run.events(EventKind.NOT_CAPTURED),
+        )
+        assertEquals(1, run.draws(0).size)
+        assertReplays(run)
+    }
+
+    @Test
+    fun `the window's framebuffer is number 0 and can be read, and others are seen`() {
+        val run = WorkerProcess.ofStudent("Framer")
+        // color·(0.5 + 0.5·y) with y = −1 + 3/48 at the second row: (1, 0.5, 0)·0.03125 in 1/255 is 8, 4, 0; read as bytes R G B A.
+        assertEquals(
+            listOf("binding 0 read true samples 4 pixel ff000408 error 0", "own true pixel ff000408 error 0"),
+            run.out.trim().lines(),
+        )
+        assertEquals(listOf("glDrawArrays into a framebuffer of the submission's own"), run.events(EventKind.NOT_CAPTURED))
+        assertReplays(run)
+    }
+
+    @Test
+    fun `a shader that does not compile is told, replaced by one with the same uniforms, and the program goes on`() {
+        val run = WorkerProcess.ofStudent("Misspelt")
+        assertEquals(
+            listOf(
+                "compiled 1 linked 1", "lights[1].color true", "lights[0].k[2] true", "a true", "b true", "map true", "not false",
+            ),
+            run.out.trim().lines(),
+            "$run",
+        )
+        val failure = run.events(EventKind.SHADER_FAILED).single()
+        assertTrue(failure.startsWith("fragment shader") && "error" in failure, failure)
+        assertTrue(run.capture.programs.last().substituted)
+        assertFalse(run.capture.programs.first().substituted)
+        assertReplays(run)
+    }
+
+    @Test
+    fun `stages that do not fit together are told and replaced`() {
+        val run = WorkerProcess.ofStudent("Misfit")
+        assertEquals("linked 1", run.out.trim(), "$run")
+        assertTrue("place" in run.events(EventKind.LINK_FAILED).single())
+        assertTrue(run.capture.programs.last().substituted)
+        assertReplays(run)
+    }
+
+    @Test
+    fun `a program that ends the JVM leaves what it has drawn so far`() {
+        val run = WorkerProcess.ofStudent("Quitter")
+        assertEquals(7, run.exitCode)
+        assertEquals(2, run.capture.frames.size)
+    }
+
+    @Test
+    fun `an exception amid a frame is told with the student's own lines, and the frame is kept without a picture`() {
+        val run = WorkerProcess.ofStudent("Thrower")
+        assertEquals(0, run.exitCode)
+        val told = run.events(EventKind.EXCEPTION).single()
+        assertTrue("the student's own" in told, told)
+        assertEquals(3, run.capture.frames.size)
+        assertEquals(1, run.draws(2).size)
+    }
+
+    @Test
+    fun `an exception before there is a window is told`() {
+        val run = WorkerProcess.ofStudent("Stillborn")
+        assertTrue("no assets" in run.events(EventKind.EXCEPTION).single())
+        assertEquals(0, run.capture.frames.size)
+    }
+
+    @Test
+    fun `a class that is not there is no submission's failure`() {
+        val run = WorkerProcess.ofStudent("Nobody")
+        assertEquals(2, run.exitCode)
+        assertTrue("Nobody" in run.err, run.err)
+        assertFalse(run.file.exists())
+    }
+}

@@ -1,0 +1,251 @@
+package cga.grading.worker.students
+
+import cga.exercise.game.Game
+import org.lwjgl.glfw.GLFW.GLFW_KEY_W
+import org.lwjgl.opengl.GL33C.*
+import kotlin.system.exitProcess
+
+/** This project's own solution. */
+internal object Solution {
+    @JvmStatic
+    fun main(args: Array<String>): Unit = Game().run()
+}
+
+/** Draws well, and tells what happens to it. */
+internal class Listener : Painter() {
+    private var updates = 0
+
+    override fun update(
+        dt: Float,
+        t: Float,
+    ) {
+        updates++
+        if (t != (updates / 60.0).toFloat()) say("update $updates at $t")
+    }
+
+    override fun onKey(
+        key: Int,
+        scancode: Int,
+        action: Int,
+        mode: Int,
+    ): Unit = say("key $key action $action mode $mode held ${getKeyState(key)}")
+
+    override fun onMouseMove(
+        xpos: Double,
+        ypos: Double,
+    ): Unit = say("mouse $xpos $ypos is ${mousePos.xpos} ${mousePos.ypos}")
+
+    override fun paint() {
+        super.paint()
+        say("frame $frame after $updates updates W ${getKeyState(GLFW_KEY_W)} mouse ${mousePos.xpos} ${mousePos.ypos}")
+    }
+
+    override fun shutdown(): Unit = say("end")
+
+    companion object {
+        @JvmStatic
+        fun main(args: Array<String>): Unit = Listener().run()
+    }
+}
+
+/** Changes buffers and textures from frame to frame, by every way there is. */
+internal class Changer : Painter(samples = 0) {
+    private val textured =
+        "#version 330 core\nin vec2 place;\nuniform vec3 color;\nuniform sampler2D map;\nout vec4 result;\n" +
+            "void main() {\n    result = vec4(color * texture(map, place * 3.0).rgb, 1.0);\n}\n"
+    private var indices = 0
+
+    override fun start() {
+        super.start()
+        program = link(VERTEX, textured)
+        indices = glGenBuffers()
+        glBindBuffer(GL_ELEMENT_ARRAY_BUFFER, indices)
+        glBufferData(GL_ELEMENT_ARRAY_BUFFER, shortArrayOf(0, 1, 2), GL_STATIC_DRAW)
+        glBindTexture(GL_TEXTURE_2D, glGenTextures())
+        upload(0)
+        glTexParameteri(GL_TEXTURE_2D, GL_TEXTURE_MIN_FILTER, GL_LINEAR_MIPMAP_LINEAR)
+    }
+
+    private fun upload(shade: Int) {
+        val texels = IntArray(16 * 8) { 0xFF000000.toInt() or (it * 0x10203 + shade * 0x3F1F) }
+        glTexImage2D(GL_TEXTURE_2D, 0, GL_RGBA, 16, 8, 0, GL_RGBA, GL_UNSIGNED_BYTE, texels)
+        glGenerateMipmap(GL_TEXTURE_2D)
+    }
+
+    override fun paint() {
+        color(1f, 1f, 1f)
+        when (frame % 3) {
+            0 -> glBufferSubData(GL_ARRAY_BUFFER, 0, triangle(1f - frame / 32f))
+            1 -> glMapBuffer(GL_ARRAY_BUFFER, GL_WRITE_ONLY)?.let {
+                it.asFloatBuffer().put(triangle(0.8f - frame / 32f))
+                glUnmapBuffer(GL_ARRAY_BUFFER)
+            }
+            else -> glBufferData(GL_ARRAY_BUFFER, triangle(0.9f - frame / 32f), GL_DYNAMIC_DRAW)
+        }
+        glDrawElements(GL_TRIANGLES, 3, GL_UNSIGNED_SHORT, 0)
+        upload(frame + 1)
+        glTexParameteri(GL_TEXTURE_2D, GL_TEXTURE_WRAP_S, if (frame % 2 == 0) GL_REPEAT else GL_MIRRORED_REPEAT)
+        glEnable(GL_BLEND)
+        glBlendFunc(GL_ONE, GL_ONE)
+        glDrawElementsBaseVertex(GL_TRIANGLES, 3, GL_UNSIGNED_SHORT, 0, 0)
+        glDisable(GL_BLEND)
+    }
+
+    companion object {
+        @JvmStatic
+        fun main(args: Array<String>): Unit = Changer().run()
+    }
+}
+
+/** Makes errors and asks for them. */
+internal class Erring : Painter() {
+    override fun paint() {
+        super.paint()
+        if (frame != 0) return
+        glEnable(0x1234)
+        glBindTexture(0x4321, 1)
+        super.paint()
+        say("${glGetError()} then ${glGetError()}")
+        glUniform1f(glGetUniformLocation(program, "nowhere"), 1f)
+        val other = link(VERTEX, FRAGMENT)
+        val location = glGetUniformLocation(program, "color")
+        glUseProgram(other)
+        glUniform3f(location, 1f, 1f, 1f)
+        glUseProgram(0)
+        glUniform3f(location, 1f, 1f, 1f)
+    }
+
+    companion object {
+        @JvmStatic
+        fun main(args: Array<String>): Unit = Erring().run()
+    }
+}
+
+/** Draws what no driver should be handed. */
+internal class Reckless : Painter() {
+    override fun paint() {
+        super.paint()
+        if (frame != 0) return
+        glDrawArrays(GL_TRIANGLES, 0, 3_000_000)
+        glDrawElements(GL_TRIANGLES, 3, GL_UNSIGNED_INT, 0)
+        glBindBuffer(GL_ELEMENT_ARRAY_BUFFER, glGenBuffers())
+        glBufferData(GL_ELEMENT_ARRAY_BUFFER, intArrayOf(0, 1, 3_000_000), GL_STATIC_DRAW)
+        glDrawElements(GL_TRIANGLES, 3, GL_UNSIGNED_INT, 0)
+        glDrawElements(GL_TRIANGLES, 3, GL_UNSIGNED_INT, 1 shl 20)
+        glBindBuffer(GL_ELEMENT_ARRAY_BUFFER, 0)
+        glDrawArrays(0x99, 0, 3)
+        say("alive, error ${glGetError()}")
+    }
+
+    companion object {
+        @JvmStatic
+        fun main(args: Array<String>): Unit = Reckless().run()
+    }
+}
+
+/** Looks at the window's framebuffer, and draws into one of its own. */
+internal class Framer : Painter() {
+    override fun paint() {
+        super.paint()
+        if (frame != 0) return
+        glBindFramebuffer(GL_FRAMEBUFFER, 0)
+        glDrawBuffer(GL_BACK)
+        glReadBuffer(GL_BACK)
+        glDrawBuffers(intArrayOf(GL_BACK_LEFT))
+        val pixel = IntArray(1)
+        glReadPixels(WIDTH / 2, 1, 1, 1, GL_RGBA, GL_UNSIGNED_BYTE, pixel)
+        say(
+            "binding ${glGetInteger(GL_FRAMEBUFFER_BINDING)} read ${glGetInteger(GL_READ_BUFFER) == GL_BACK} " +
+                "samples ${glGetInteger(GL_SAMPLES)} pixel ${Integer.toHexString(pixel[0])} error ${glGetError()}",
+        )
+        val own = glGenFramebuffers()
+        glBindFramebuffer(GL_FRAMEBUFFER, own)
+        val buffer = glGenRenderbuffers()
+        glBindRenderbuffer(GL_RENDERBUFFER, buffer)
+        glRenderbufferStorage(GL_RENDERBUFFER, GL_RGBA8, WIDTH, HEIGHT)
+        glFramebufferRenderbuffer(GL_FRAMEBUFFER, GL_COLOR_ATTACHMENT0, GL_RENDERBUFFER, buffer)
+        glDrawArrays(GL_TRIANGLES, 0, 3)
+        glReadPixels(WIDTH / 2, 1, 1, 1, GL_RGBA, GL_UNSIGNED_BYTE, pixel)
+        say("own ${glGetInteger(GL_FRAMEBUFFER_BINDING) == own} pixel ${Integer.toHexString(pixel[0])} error ${glGetError()}")
+        glBindFramebuffer(GL_FRAMEBUFFER, 0)
+    }
+
+    companion object {
+        @JvmStatic
+        fun main(args: Array<String>): Unit = Framer().run()
+    }
+}
+
+/** Its fragment shader does not compile. */
+internal class Misspelt : Painter() {
+    override fun start() {
+        super.start()
+        val wrong =
+            "#version 330 core\n#define COUNT 2\nstruct Light { vec3 color; float k[3]; };\nin vec2 place;\nuniform vec3 color;\n" +
+                "uniform Light lights[COUNT];\nuniform mat4 a, b;\nuniform sampler2D map; // uniform vec3 not;\nout vec4 result;\n" +
+                "void main() { result = vec3(color, 1.0) }\n"
+        val shader = compile(GL_FRAGMENT_SHADER, wrong)
+        program = link(VERTEX, wrong)
+        say("compiled ${glGetShaderi(shader, GL_COMPILE_STATUS)} linked ${glGetProgrami(program, GL_LINK_STATUS)}")
+    }
+
+    override fun paint() {
+        for (name in listOf("lights[1].color", "lights[0].k[2]", "a", "b", "map", "not")) {
+            if (frame == 0) say("$name ${glGetUniformLocation(program, name) >= 0}")
+        }
+        super.paint()
+    }
+
+    companion object {
+        @JvmStatic
+        fun main(args: Array<String>): Unit = Misspelt().run()
+    }
+}
+
+/** Its stages compile and do not fit together. */
+internal class Misfit : Painter() {
+    override fun start() {
+        super.start()
+        program = link(VERTEX.replace("vec2 place", "vec4 place").replace("place = position", "place = vec4(position, 0.0, 1.0)"), FRAGMENT)
+        say("linked ${glGetProgrami(program, GL_LINK_STATUS)}")
+    }
+
+    companion object {
+        @JvmStatic
+        fun main(args: Array<String>): Unit = Misfit().run()
+    }
+}
+
+/** Ends the JVM in its third frame. */
+internal class Quitter : Painter() {
+    override fun paint() {
+        super.paint()
+        if (frame == 2) exitProcess(7)
+    }
+
+    companion object {
+        @JvmStatic
+        fun main(args: Array<String>): Unit = Quitter().run()
+    }
+}
+
+/** Throws amid its third frame. */
+internal class Thrower : Painter() {
+    override fun paint() {
+        super.paint()
+        if (frame == 2) error("the student's own")
+    }
+
+    companion object {
+        @JvmStatic
+        fun main(args: Array<String>): Unit = Thrower().run()
+    }
+}
+
+/** Throws before it has a window. */
+internal object Stillborn {
+    private val nothing: Any = error("no assets")
+
+    @JvmStatic
+    fun main(args: Array<String>): Unit = println(nothing)
+}

@@ -1,0 +1,86 @@
+#version 330 core
+
+in vec2 tc;
+in vec3 normalView;
+in vec3 toCamera;
+in vec3 toBike;
+in vec3 toSpot;
+in vec3 toCorner[4];
+
+// material
+uniform sampler2D texEmit;
+uniform sampler2D texDiff;
+uniform sampler2D texSpec;
+uniform float shininess;
+uniform vec3 tint;
+
+// lights
+uniform vec3 bikeColor;
+uniform vec3 spotDir;
+
+const vec3 POINT_K = vec3(1.0, 0.5, 0.1);
+const vec3 SPOT_K = vec3(0.5, 0.05, 0.01);
+const vec3 SPOT_COLOR = vec3(3.0, 3.0, 2.8);
+const float SPOT_INNER = radians(12.0);
+const float SPOT_OUTER = radians(25.0);
+const vec3 CORNER_COLORS[4] = vec3[](
+    vec3(8.0, 0.5, 0.5),
+    vec3(0.5, 0.5, 8.0),
+    vec3(7.0, 6.0, 0.5),
+    vec3(7.0, 0.5, 7.0)
+);
+
+out vec4 color;
+
+// the same for all lights, set in main
+vec3 n;
+vec3 v;
+vec3 diff;
+vec3 spec;
+
+// fades a light with the distance
+float attenuation(vec3 toLight, vec3 k) {
+    float d = length(toLight);
+    return 1.0 / (k.x + k.y * d + k.z * d * d);
+}
+
+// 1 in the inner cone, 0 outside of the outer cone
+float spotIntensity(vec3 l, vec3 direction, float inner, float outer) {
+    float cosTheta = dot(-l, normalize(direction));
+    float cosInner = cos(inner);
+    float cosOuter = cos(outer);
+    return clamp((cosTheta - cosOuter) / (cosInner - cosOuter), 0.0, 1.0);
+}
+
+// diffuse and specular part (Blinn-Phong) for one light
+vec3 reflected(vec3 l, vec3 lightColor) {
+    float cosAlpha = max(dot(n, l), 0.0);
+    vec3 h = normalize(l + v);
+    float cosBeta = max(dot(n, h), 0.0);
+    return (diff * cosAlpha + spec * pow(cosBeta, shininess)) * lightColor;
+}
+
+vec3 pointLight(vec3 toLight, vec3 lightColor, vec3 k) {
+    vec3 l = normalize(toLight);
+    return reflected(l, lightColor * attenuation(toLight, k));
+}
+
+vec3 spotLight(vec3 toLight, vec3 lightColor, vec3 k, vec3 direction, float inner, float outer) {
+    vec3 l = normalize(toLight);
+    float intensity = spotIntensity(l, direction, inner, outer);
+    return reflected(l, lightColor * intensity * attenuation(toLight, k));
+}
+
+void main() {
+    vec3 emit = texture(texEmit, tc).rgb;
+    diff = texture(texDiff, tc).rgb;
+    spec = texture(texSpec, tc).rgb;
+    n = normalize(normalView);
+    v = normalize(toCamera);
+
+    vec3 sum = emit * tint;
+    sum += pointLight(toBike, bikeColor, POINT_K);
+    sum += spotLight(toSpot, SPOT_COLOR, SPOT_K, spotDir, SPOT_INNER, SPOT_OUTER);
+    for (int i = 0; i < 4; i++) sum += pointLight(toCorner[i], CORNER_COLORS[i], POINT_K);
+    color = vec4(sum, 1.0);
+}

@@ -1,0 +1,66 @@
+#version 330 core
+
+layout(location = 0) in vec3 position;
+layout(location = 1) in vec2 texCoord;
+layout(location = 2) in vec3 normal;
+
+uniform mat4 model;
+uniform mat4 view;
+uniform mat4 projection;
+uniform vec2 tcMultiplier;
+
+// lights, with their positions in world space
+struct Light {
+    vec3 pos;
+    vec3 color;
+    vec3 att;
+};
+
+struct Spot {
+    vec3 pos;
+    vec3 color;
+    vec3 att;
+    vec3 dir;
+    float inner;
+    float outer;
+};
+
+uniform Light bike;
+uniform Light corner1;
+uniform Light corner2;
+uniform Light corner3;
+uniform Light corner4;
+uniform Spot spot;
+
+out vec2 tc;
+out vec3 normalView;
+out vec3 toCamera;
+out vec3 toBike;
+out vec3 toSpot;
+out vec3 toCorner1;
+out vec3 toCorner2;
+out vec3 toCorner3;
+out vec3 toCorner4;
+
+// from the vertex (in view space) to a light
+vec3 toLight(vec3 lightPos, vec3 pos) {
+    return (view * vec4(lightPos, 1.0)).xyz - pos;
+}
+
+void main() {
+    mat4 modelView = view * model;
+    vec4 pos = modelView * vec4(position, 1.0);
+    gl_Position = projection * pos;
+
+    tc = texCoord * tcMultiplier;
+    normalView = transpose(inverse(mat3(modelView))) * normal;
+
+    // in view space the camera is at the origin
+    toCamera = -pos.xyz;
+    toBike = toLight(bike.pos, pos.xyz);
+    toSpot = toLight(spot.pos, pos.xyz);
+    toCorner1 = toLight(corner1.pos, pos.xyz);
+    toCorner2 = toLight(corner2.pos, pos.xyz);
+    toCorner3 = toLight(corner3.pos, pos.xyz);
+    toCorner4 = toLight(corner4.pos, pos.xyz);
+}

@@ -1,0 +1,95 @@
+#version 330 core
+
+in struct VertexData {
+    vec2 tc;
+    vec3 normalView;
+    vec3 toCamera;
+    vec3 toBike;
+    vec3 toSpot;
+    vec3 toCorner1;
+    vec3 toCorner2;
+    vec3 toCorner3;
+    vec3 toCorner4;
+} vertexData;
+
+// material
+uniform sampler2D texEmit;
+uniform sampler2D texDiff;
+uniform sampler2D texSpec;
+uniform float shininess;
+uniform vec3 tint;
+
+// lights
+uniform vec3 bikeColor;
+uniform vec3 bikeAtt;
+uniform vec3 spotColor;
+uniform vec3 spotAtt;
+uniform vec3 spotDir;
+uniform float spotInner;
+uniform float spotOuter;
+uniform vec3 corner1Color;
+uniform vec3 corner1Att;
+uniform vec3 corner2Color;
+uniform vec3 corner2Att;
+uniform vec3 corner3Color;
+uniform vec3 corner3Att;
+uniform vec3 corner4Color;
+uniform vec3 corner4Att;
+
+out vec4 color;
+
+// the same for all lights, set in main
+vec3 n;
+vec3 v;
+vec3 diff;
+vec3 spec;
+
+// fades a light with the distance
+float attenuation(vec3 toLight, vec3 k) {
+    float d = length(toLight);
+    return 1.0 / (k.x + k.y * d + k.z * d * d);
+}
+
+// 1 in the inner cone, 0 outside of the outer cone
+float spotIntensity(vec3 l, vec3 direction, float inner, float outer) {
+    float cosTheta = dot(-l, normalize(direction));
+    float cosInner = cos(inner);
+    float cosOuter = cos(outer);
+    return clamp((cosTheta - cosOuter) / (cosInner - cosOuter), 0.0, 1.0);
+}
+
+// diffuse and specular part (Blinn-Phong) for one light
+vec3 reflected(vec3 l, vec3 lightColor) {
+    float cosAlpha = max(dot(n, l), 0.0);
+    vec3 h = normalize(l + v);
+    float cosBeta = max(dot(n, h), 0.0);
+    return (diff * cosAlpha + spec * pow(cosBeta, shininess)) * lightColor;
+}
+
+vec3 pointLight(vec3 toLight, vec3 lightColor, vec3 k) {
+    vec3 l = normalize(toLight);
+    return reflected(l, lightColor * attenuation(toLight, k));
+}
+
+vec3 spotLight(vec3 toLight, vec3 lightColor, vec3 k, vec3 direction, float inner, float outer) {
+    vec3 l = normalize(toLight);
+    float intensity = spotIntensity(l, direction, inner, outer);
+    return reflected(l, lightColor * intensity * attenuation(toLight, k));
+}
+
+void main() {
+    vec3 emit = texture(texEmit, vertexData.tc).rgb;
+    diff = texture(texDiff, vertexData.tc).rgb;
+    spec = texture(texSpec, vertexData.tc).rgb;
+    n = normalize(vertexData.normalView);
+    v = normalize(vertexData.toCamera);
+
+    vec3 sum = emit * tint;
+    sum += pointLight(vertexData.toBike, bikeColor, bikeAtt);
+    sum += spotLight(vertexData.toSpot, spotColor, spotAtt, spotDir, spotInner, spotOuter);
+    sum += pointLight(vertexData.toCorner1, corner1Color, corner1Att);
+    sum += pointLight(vertexData.toCorner2, corner2Color, corner2Att);
+    sum += pointLight(vertexData.toCorner3, corner3Color, corner3Att);
+    sum += pointLight(vertexData.toCorner4, corner4Color, corner4Att);
+    color = vec4(sum, 1.0);
+}

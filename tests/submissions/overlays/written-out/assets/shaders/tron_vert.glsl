@@ -1,0 +1,46 @@
+#version 330 core
+
+layout(location = 0) in vec3 position;
+layout(location = 1) in vec2 texCoord;
+layout(location = 2) in vec3 normal;
+
+uniform mat4 model;
+uniform mat4 view;
+uniform mat4 projection;
+uniform vec2 tcMultiplier;
+
+// positions of the lights in world space
+uniform vec3 bikePos;
+uniform vec3 spotPos;
+uniform vec3 corner1Pos;
+uniform vec3 corner2Pos;
+uniform vec3 corner3Pos;
+uniform vec3 corner4Pos;
+
+out vec2 tc;
+out vec3 normalView;
+out vec3 toCamera;
+out vec3 toBike;
+out vec3 toSpot;
+out vec3 toCorner1;
+out vec3 toCorner2;
+out vec3 toCorner3;
+out vec3 toCorner4;
+
+void main() {
+    mat4 modelView = view * model;
+    vec4 pos = modelView * vec4(position, 1.0);
+    gl_Position = projection * pos;
+
+    tc = texCoord * tcMultiplier;
+    normalView = transpose(inverse(mat3(modelView))) * normal;
+
+    // in view space the camera is at the origin
+    toCamera = -pos.xyz;
+    toBike = (view * vec4(bikePos, 1.0)).xyz - pos.xyz;
+    toSpot = (view * vec4(spotPos, 1.0)).xyz - pos.xyz;
+    toCorner1 = (view * vec4(corner1Pos, 1.0)).xyz - pos.xyz;
+    toCorner2 = (view * vec4(corner2Pos, 1.0)).xyz - pos.xyz;
+    toCorner3 = (view * vec4(corner3Pos, 1.0)).xyz - pos.xyz;
+    toCorner4 = (view * vec4(corner4Pos, 1.0)).xyz - pos.xyz;
+}

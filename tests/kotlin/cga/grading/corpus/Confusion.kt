@@ -39,7 +39,11 @@ internal class Answered(
     val costs: List<String>,
     val points: Double,
     val notes: List<String>,
+    val lines: List<String> = emptyList(),
 ) {
+    /** Checks that lost points although none of the mistakes belongs to them. */
+    val elsewhere: List<String> get() = costs.filter { it.substringBefore('=') !in submission.expectation.costs }
+
     val answer: Answer
         get() {
             val wanted = submission.expectation.mistakes
@@ -68,7 +72,15 @@ internal class Answered(
                             points == null || points < it.maximum
                         }
                     }.map { "${it.check.id}=${it.error}" }
-                Answered(submission, findings.mistakes.map { it.mistake }, costs, grade.points, findings.notes)
+                val lines =
+                    grade.checks.map {
+                        "${it.check.id} ${it.state} ${it.points}/${it.maximum} error ${it.error} cause ${it.cause}: ${it.text}"
+                    } +
+                        findings.mistakes.map {
+                            "! ${it.mistake} fit ${it.fit} difference ${it.difference} at ${it.where} or ${it.alternatives}"
+                        } +
+                        findings.notes.map { "note $it" }
+                Answered(submission, findings.mistakes.map { it.mistake }, costs, grade.points, findings.notes, lines)
             } finally {
                 folder.toFile().deleteRecursively()
             }
@@ -95,12 +107,14 @@ internal object Confusion {
                     ?: continue
             counts.merge(answered.answer, 1, Int::plus)
             if (answered.answer == Answer.NAMED || answered.answer == Answer.CLEAN) {
-                println("${submission.name}: ${answered.answer} ${answered.points}")
+                val more = if (answered.elsewhere.isEmpty()) "" else " also costs ${answered.elsewhere}"
+                println("${submission.name}: ${answered.answer} ${answered.points}$more")
             } else {
                 val wanted = "wanted ${submission.expectation.mistakes} named ${answered.named} costs ${answered.costs}"
                 val made = "parts ${submission.rewrites} notes ${answered.notes.take(4)}"
                 println("${submission.name}: ${answered.answer} ${answered.points} $wanted $made")
             }
+            if (System.getProperty("cga.corpus") == "all") answered.lines.forEach { println("    $it") }
         }
         println("TOTAL $counts")
     }

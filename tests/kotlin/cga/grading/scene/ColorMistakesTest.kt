@@ -1,5 +1,7 @@
 package cga.grading.scene
 
+import cga.grading.capture.CapturedEvent
+import cga.grading.capture.EventKind
 import cga.grading.findings.Check
 import cga.grading.findings.Mistake
 import org.joml.Vector3d
@@ -56,6 +58,17 @@ class ColorMistakesTest {
             }
         }
         rig.verdict().assertMistake(Mistake.LIGHT_COLOR_DIFFERS)
+    }
+
+    @Test
+    fun `white everywhere is no colour, and what was sent in vain explains it`() {
+        val rig = object : Rig() {
+            override fun motorcycleTint(t: Double) = Vector3d(1.0)
+
+            override fun groundTint(t: Double) = Vector3d(1.0)
+        }
+        val found = rig.verdict(events = listOf(CapturedEvent(EventKind.UNIFORM_ABSENT, 0, "tint")))[Mistake.EMISSION_COLOR_IGNORED]
+        assertEquals(setOf(Check.GROUND_COLOR, Check.MOTORCYCLE_COLOR), found?.explains)
     }
 
     @Test

@@ -44,6 +44,72 @@ class LightMistakesTest {
     }
 
     @Test
+    fun `a name that the shader declares and does not need explains nothing`() {
+        val rig = object : Rig() {
+            override fun ownColor(t: Double) = Vector3d()
+        }
+        val events = listOf(CapturedEvent(EventKind.UNIFORM_ABSENT, 0, "spotLight.angle"))
+        val verdict = rig.verdict(events = events, program = ProgramFacts(setOf("bikeColor"), setOf("spotLight", "angle")))
+        verdict.assertMistake(Mistake.LIGHT_MISSING, *allOfPoint)
+        assertEquals(setOf("bike_lamp", "bikeColor", "spotLight.angle"), verdict.unlit)
+    }
+
+    @Test
+    fun `a name that nothing waits for explains nothing`() {
+        val rig = object : Rig() {
+            override fun ownColor(t: Double) = Vector3d()
+        }
+        val events = listOf(CapturedEvent(EventKind.UNIFORM_ABSENT, 0, "old_lamp"))
+        val facts = ProgramFacts(setOf("bikeColor", "bikePos"))
+        rig.verdict(events = events, program = facts).assertMistake(Mistake.LIGHT_MISSING, *allOfPoint)
+    }
+
+    @Test
+    fun `positions in the parent's space are one mistake of both lights`() {
+        val rig = object : Rig() {
+            override fun position(lamp: Lamp, view: Matrix4d): Vector3d = view.transformPosition(Vector3d(lamp.body.getPosition()))
+        }
+        val verdict = rig.verdict()
+        assertEquals(listOf(Mistake.LIGHT_NOT_CHILD), verdict.mistakes.map { it.mistake }, verdict.text())
+        assertEquals("bike_lamp, headlight", verdict.mistakes.single().where)
+        assertEquals(setOf(Check.SPOT_LIGHT_CHILD), verdict.mistakes.single().explains)
+    }
+
+    @Test
+    fun `two lights that are no children are two mistakes`() {
+        val rig = object : Rig() {
+            val free = Lamp("lamp", lamp(Vector3f(0f, 1.5f, 0f), null), POINT_K) { ownColor(it) }
+            val front =
+                Lamp(
+                    "front",
+                    lamp(
+                        Vector3f(0f, 1f, -1.5f),
+                        null,
+                    ).apply { rotateLocal(-0.2f, 0f, 0f) },
+                    SPOT_K, 0.2, 0.4, true,
+                ) { HEAD_COLOR }
+            override val lamps get() = listOf(free, front) + corners
+        }
+        val named = rig.verdict().mistakes.map { it.mistake }
+        assertEquals(setOf(Mistake.LIGHT_NOT_CHILD, Mistake.SPOT_NOT_CHILD), named.toSet())
+    }
+
+    @Test
+    fun `what is not there is not found`() {
+        val rig = object : Rig() {
+            override val lamps get() = emptyList<Lamp>()
+
+            override fun orbit(dx: Double, dy: Double) = Unit
+
+            override fun groundTint(t: Double) = null
+
+            override fun motorcycleTint(t: Double) = null
+        }
+        val absent = rig.verdict().checks.filter { !it.found }.map { it.check }.toSet()
+        assertEquals(SceneJudge.CHECKS - Check.ORDER, absent)
+    }
+
+    @Test
     fun `a point light that is no child stays behind`() {
         val rig = object : Rig() {
             val free = Lamp("lamp", lamp(Vector3f(0f, 1.5f, 0f), null), POINT_K) { ownColor(it) }

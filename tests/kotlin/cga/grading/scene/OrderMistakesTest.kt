@@ -99,7 +99,8 @@ class OrderMistakesTest {
             override val lamps get() = listOf(own) + corners
         }
         val verdict = rig.verdict(events = listOf(CapturedEvent(EventKind.UNIFORM_WITHOUT_PROGRAM, -1, "glUniform3f")))
-        assertEquals(listOf(Mistake.UNIFORM_BEFORE_USE, Mistake.SPOT_MISSING), verdict.mistakes.map { it.mistake }, verdict.text())
+        assertEquals(listOf(Mistake.UNIFORM_BEFORE_USE), verdict.mistakes.map { it.mistake }, verdict.text())
+        assertTrue(Check.SPOT_LIGHT in verdict.mistakes.single().explains.orEmpty(), verdict.text())
         assertEquals(1.0, verdict[Check.ORDER]?.error)
     }
 
@@ -115,6 +116,62 @@ class OrderMistakesTest {
         verdict.assertRight()
         assertEquals(3, verdict.notes.size, verdict.text())
         assertTrue(verdict.notes.any { "GL_INVALID_ENUM in glEnable" in it })
+    }
+
+    @Test
+    fun `numbers that arrive another time are not lost, whatever else is missing`() {
+        val rig = object : Rig() {
+            override val lamps get() = listOf(own) + corners
+        }
+        val events = listOf(CapturedEvent(EventKind.UNIFORM_WITHOUT_PROGRAM, -1, "glUniform1i sampler"))
+        val verdict = rig.verdict(events = events, program = ProgramFacts(unset = setOf("spotColor")))
+        assertEquals(listOf(Mistake.SPOT_MISSING), verdict.mistakes.map { it.mistake }, verdict.text())
+    }
+
+    @Test
+    fun `a first frame that was drawn without a matrix cannot be understood, and tells the order`() {
+        fun verdict(vararg events: CapturedEvent) =
+            SceneJudge.judge(Rig().play().drop(1), events.toList(), program = ProgramFacts(drawn = setOf(Moment.FIRST)))
+        verdict().assertMistake(Mistake.LIGHTS_AFTER_DRAWS)
+        verdict(CapturedEvent(EventKind.UNIFORM_WITHOUT_PROGRAM, 0, "glUniformMatrix4fv view")).assertMistake(Mistake.UNIFORM_BEFORE_USE)
+    }
+
+    @Test
+    fun `a light bound after the draws has the colour of the frame before, which is no mistake of its colour`() {
+        val rig = object : LateRig() {
+            override fun lights(moment: Moment, t: Double, view: Matrix4d): List<ObservedLight> {
+                val colors = previous
+                previous = lamps.map { it.color(t) }
+                return super.lights(moment, t, view).zip(colors.ifEmpty { previous }) { light, color ->
+                    ObservedLight(light.name, light.position, if (moment == Moment.FIRST) Vector3d() else color, light.k, light.spot)
+                }
+            }
+
+            private var previous: List<Vector3d> = emptyList()
+        }
+        rig.verdict().assertMistake(Mistake.LIGHTS_AFTER_DRAWS)
+    }
+
+    @Test
+    fun `a shader that the driver refused is named, and nothing is said of what stands in for it`() {
+        val dark = object : Rig() {
+            override val lamps get() = emptyList<Lamp>()
+
+            override fun motorcycleTint(t: Double) = null
+
+            override fun groundTint(t: Double) = null
+        }
+        val warning = "0:3(1): warning: `n' used uninitialized"
+        val log = "fragment shader (a stand-in takes its place)\n$warning\n0:9(4): error: no function 'saturate'\n"
+        val verdict = dark.verdict(
+            events = listOf(CapturedEvent(EventKind.SHADER_FAILED, -1, log)),
+            program = ProgramFacts(isReplaced = true),
+        )
+        assertEquals(listOf(Mistake.GLSL_DRIVER), verdict.mistakes.map { it.mistake }, verdict.text())
+        assertTrue("no function 'saturate'" in verdict.mistakes.single().where, verdict.text())
+        assertTrue(verdict.isReplaced)
+        assertNull(verdict[Check.POINT_LIGHT]?.error)
+        assertEquals(0.0, verdict[Check.ORBIT]?.error)
     }
 
     @Test

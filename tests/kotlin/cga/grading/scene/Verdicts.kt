@@ -10,7 +10,8 @@ internal fun Rig.verdict(
     profile: SceneProfile = SceneProfile.SHEET,
     events: List<CapturedEvent> = emptyList(),
     uniforms: Set<String> = emptySet(),
-): SceneVerdict = SceneJudge.judge(play(), events, profile, uniforms)
+    program: ProgramFacts = ProgramFacts(),
+): SceneVerdict = SceneJudge.judge(play(), events, profile, uniforms, program)
 
 internal fun SceneVerdict.text(): String =
     buildList {

@@ -130,7 +130,7 @@ internal object SceneCapture {
             is Matrix4dc -> UniformValue(name, GL_FLOAT_MAT4, FloatArray(16) { value.get(it / 4, it % 4).toFloat() })
             is org.joml.Matrix3dc -> UniformValue(name, GL_FLOAT_MAT3, FloatArray(9) { value.get(it / 3, it % 3).toFloat() })
             is Vector3d -> UniformValue(name, GL_FLOAT_VEC3, floatArrayOf(value.x.toFloat(), value.y.toFloat(), value.z.toFloat()))
-            is FloatArray -> UniformValue(name, GL_FLOAT_VEC4, value)
+            is FloatArray -> UniformValue(name, if (value.size == 2) GL_FLOAT_VEC2 else GL_FLOAT_VEC4, value)
             is Int -> UniformValue(name, GL_INT, floatArrayOf(value.toFloat()))
             is Double -> UniformValue(name, GL_FLOAT, floatArrayOf(value.toFloat()))
             else -> error("no uniform can hold $value")

@@ -3,6 +3,7 @@ package cga.grading.analysis
 import cga.grading.capture.Capture
 import cga.grading.capture.CapturedDraw
 import cga.grading.capture.EventKind
+import cga.grading.capture.Moment
 import cga.grading.findings.Findings
 import cga.grading.replay.Replay
 import cga.grading.scene.SceneJudge
@@ -21,24 +22,35 @@ internal class Analysis(
     private val edition: String,
     private val folder: Path,
 ) {
-    /** Throws [NothingDrawn], [NotReproducible] and [cga.grading.replay.ReplayError]. */
+    /** Throws [Threw], [EndedEarly], [NothingDrawn], [NotReproducible] and [cga.grading.replay.ReplayError]. */
     fun findings(): Findings {
-        if (capture.frames.none { frame -> frame.steps.any { it is CapturedDraw } }) throw NothingDrawn(whyNothing())
+        checkRun()
         return Replay(capture).use { replay ->
             Reproduction.check(capture, replay)
             ShaderStudy.of(capture).use { study ->
                 val observed = capture.frames.mapNotNull(study::observe)
                 val profile = if (edition == "2022") SceneProfile.LATER else SceneProfile.SHEET
-                val scene = SceneJudge.judge(observed, capture.events, profile, uniformNames())
-                val verdict = Verdict.of(study, scene)
-                val pictures = ScenePictures(capture, replay, folder).take(observed)
+                val facts = CaptureFacts(capture)
+                val scene = SceneJudge.judge(observed, capture.events, profile, facts.uniforms, facts.program)
+                val verdict = Verdict.of(ShadingVerdict(study.checks, study.mistakes), scene)
+                val expected = ExpectedFrame(capture, study.materials, verdict)
+                val pictures = ScenePictures(capture, replay, study.materials, expected, observed, folder).take()
                 Findings(verdict.checks, verdict.mistakes, study.plots, pictures, study.notes + scene.notes + eventNotes())
             }
         }
     }
 
-    private fun uniformNames(): Set<String> =
-        capture.frames.flatMap { it.steps }.filterIsInstance<CapturedDraw>().flatMap { it.uniforms }.map { it.name }.toSet()
+    private fun checkRun() {
+        val isEmpty = capture.frames.none { frame -> frame.steps.any { it is CapturedDraw } }
+        val thrown = capture.events.firstOrNull { it.kind == EventKind.EXCEPTION }
+        if (isEmpty && thrown != null) throw Threw(thrown.text)
+        if (thrown == null && capture.frames.size < Moment.entries.size) {
+            throw EndedEarly(
+                "The program ended by itself after ${capture.frames.size} of ${Moment.entries.size} pictures, without an exception.",
+            )
+        }
+        if (isEmpty) throw NothingDrawn(whyNothing())
+    }
 
     private fun whyNothing(): String {
         val problem = capture.events.firstOrNull { it.kind in FATAL } ?: return "No draw call was made in ${capture.frames.size} frames."
@@ -58,6 +70,8 @@ internal class Analysis(
     private companion object {
         const val MOST_NOTES = 20
         val FATAL = setOf(EventKind.EXCEPTION, EventKind.SHADER_FAILED, EventKind.LINK_FAILED, EventKind.NOT_CAPTURED)
-        val QUIET = setOf(EventKind.UNIFORM_ABSENT)
+
+        /** The scene judge has its own words for these. */
+        val QUIET = setOf(EventKind.UNIFORM_ABSENT, EventKind.UNIFORM_WITHOUT_PROGRAM, EventKind.GL_ERROR)
     }
 }

@@ -12,7 +12,9 @@ import kotlin.system.exitProcess
 /**
  * The process that measures a capture: `AnalysisMain <capture file> <folder for the findings> <edition>`.
  *
- * Exit codes: 0 done, 2 the grader's own fault, 3 the capture is damaged or faked, 4 its frames cannot be drawn again, 5 nothing was drawn.
+ * Exit codes: 0 done, 2 the grader's own fault, 3 the capture is damaged or faked, 4 its frames cannot be drawn again, 5 nothing was drawn,
+ * 6 it threw before anything was drawn, 7 it ended by itself amid the script, 8 it needs more memory than there is. What is said to standard
+ * error is the whole message.
  */
 public object AnalysisMain {
     @JvmStatic
@@ -33,11 +35,17 @@ public object AnalysisMain {
             say(e, NOT_REPRODUCIBLE)
         } catch (e: NothingDrawn) {
             say(e, NOTHING_DRAWN)
+        } catch (e: Threw) {
+            say(e, THREW)
+        } catch (e: EndedEarly) {
+            say(e, ENDED_EARLY)
         } catch (e: InputError) {
             say(e, INTERNAL)
+        } catch (e: OutOfMemoryError) {
+            say(e, OUT_OF_MEMORY)
         }
 
-    private fun say(e: Exception, code: Int): Int {
+    private fun say(e: Throwable, code: Int): Int {
         System.err.println(e.message)
         return code
     }
@@ -46,6 +54,9 @@ public object AnalysisMain {
     private const val CAPTURE_UNREADABLE = 3
     private const val NOT_REPRODUCIBLE = 4
     private const val NOTHING_DRAWN = 5
+    private const val THREW = 6
+    private const val ENDED_EARLY = 7
+    private const val OUT_OF_MEMORY = 8
 }
 
 /** The frames, drawn again, are not those that the worker said it saw. */
@@ -53,3 +64,9 @@ internal class NotReproducible(message: String) : Exception(message)
 
 /** The submission drew no triangle. */
 internal class NothingDrawn(message: String) : Exception(message)
+
+/** The submission threw before it drew a triangle; the message is the exception with the submission's own lines. */
+internal class Threw(message: String) : Exception(message)
+
+/** The submission ended by itself, without an exception, before the script did. */
+internal class EndedEarly(message: String) : Exception(message)

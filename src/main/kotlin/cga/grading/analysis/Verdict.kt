@@ -4,66 +4,87 @@ import cga.grading.findings.Check
 import cga.grading.findings.Found
 import cga.grading.findings.Measured
 import cga.grading.findings.Mistake
+import cga.grading.rubric.disturbedBy
 import cga.grading.scene.SceneVerdict
-import cga.grading.study.ShaderStudy
 
 /**
- * One verdict from two witnesses: the study, which knows what the shaders compute, and the scene, which knows what happens over time. Where
- * both see the traces of one mistake, the one that sees its cause is believed.
+ * One verdict from two witnesses: the study, which knows what the shaders compute, and the scene, which knows what happens over time.
+ *
+ * 1. What the study says of lights that never shine is said of nothing.
+ * 2. Where both judge one thing, the one that sees its cause is believed ([Quarrel]).
+ * 3. Mistakes that are only traces of another are dropped ([VerdictTraces]); what they cost is explained by it.
+ * 4. A check has the larger of both errors. What the submission does not have is not found, except where its shaders could do it.
+ *
+ * @property checks one for each [Check], in order.
+ * @property mistakes most telling first, each once; [Found.explains] is determined for all.
  */
 internal class Verdict private constructor(
     val checks: List<Measured>,
     val mistakes: List<Found>,
 ) {
     companion object {
-        /** Attenuation that is wrong in the shader makes the numbers sent for it meaningless. */
-        private val WRONG_FORM =
-            setOf(Mistake.ATTENUATION_MISSING, Mistake.ATTENUATION_LINEAR, Mistake.ATTENUATION_ON_DIFFUSE_ONLY)
-        private val K_SENT =
-            setOf(Mistake.ATTENUATION_MISSING, Mistake.ATTENUATION_OTHER_K, Mistake.ATTENUATION_ONE_K, Mistake.ATTENUATION_LAST_K)
-
-        /** The scene follows these over all frames; a single frame can mislead. */
-        private val SCENE_KNOWS = setOf(Mistake.SPOT_DIRECTION_WORLD, Mistake.SPOT_DIRECTION_LOCAL, Mistake.SPOT_DIRECTION_SIGN)
-        private val CONE = Mistake.entries.filter { it.check == Check.CONE }.toSet()
-        private val EMISSION = setOf(Mistake.EMISSION_COLOR_IGNORED, Mistake.EMISSION_MULTIPLIED, Mistake.EMISSION_MISSING)
-
-        fun of(study: ShaderStudy, scene: SceneVerdict): Verdict {
-            val fromScene = fromScene(study.mistakes, scene.mistakes)
-            val fromStudy = fromStudy(study.mistakes, scene.mistakes)
-            val mistakes = (fromScene + fromStudy).distinctBy { it.mistake }
-            return Verdict(Check.entries.map { check(it, study, scene, mistakes) }, mistakes)
+        fun of(
+            shading: ShadingVerdict,
+            scene: SceneVerdict,
+        ): Verdict {
+            val quarrel = Quarrel(shading, scene)
+            val all = merged(quarrel.scene + quarrel.shading)
+            val causes = all.filterNot { found -> all.any { it !== found && VerdictTraces.isTrace(found, it) } }
+            val known = causes.filterNot {
+                it.mistake == Mistake.UNKNOWN && causes.any { other ->
+                    other.where == it.where && other !== it
+                }
+            }
+            val checks = VerdictChecks(shading, scene, known).all()
+            val dim = if (needed(known) <= scene.unlit.size) known.map { it.mistake }.filter(VerdictTraces::saysMissing) else emptyList()
+            return Verdict(checks, known.map { explained(it, all, it.mistake in dim, quarrel.unfounded.isNotEmpty(), checks) })
         }
 
-        private fun fromScene(study: List<Found>, scene: List<Found>): List<Found> {
-            val seen = study.map { it.mistake }.toSet()
-            return scene.filterNot { found ->
-                (found.mistake in CONE && seen.any { it in CONE } && !breaksTie(found, study)) ||
-                    (found.mistake in K_SENT && seen.any { it in WRONG_FORM }) ||
-                    (found.mistake in EMISSION && seen.any { it in EMISSION })
+        /** The same mistake of both witnesses is one. */
+        private fun merged(found: List<Found>): List<Found> =
+            found.groupBy { it.mistake }.values.map { same ->
+                val first = same.first()
+                val explains = same.mapNotNull { it.explains }.takeIf { it.isNotEmpty() }?.flatten()?.toSet()
+                val where = same.map { it.where }.filter { it.isNotEmpty() }.distinct().joinToString()
+                Found(
+                    first.mistake,
+                    same.minOf {
+                        it.fit
+                    },
+                    same.maxOf { it.difference }, where, same.flatMap { it.alternatives }.distinct(), explains,
+                )
             }
+
+        /** How many lights are missing at least. */
+        private fun needed(known: List<Found>): Int = known.sumOf { VerdictTraces.lights(it.mistake) }
+
+        /**
+         * [cause] with all that it explains: what it disturbs by its nature if that is there at all, and what its traces would have cost.
+         *
+         * @param isDim whether it says that a light is missing that the shaders could show: then it costs no more than itself.
+         * @param isVoid whether something was measured where no light arrives.
+         */
+        private fun explained(
+            cause: Found,
+            all: List<Found>,
+            isDim: Boolean,
+            isVoid: Boolean,
+            checks: List<Measured>,
+        ): Found {
+            if (cause.mistake == Mistake.UNKNOWN) return cause
+            // Behind a stand-in nothing has been seen: that is no reason for points.
+            if (cause.mistake == Mistake.GLSL_DRIVER) return copy(cause, emptySet())
+            val absent = checks.filter { !it.found }.map { it.check }.toSet()
+            val traces = all.filter { it !== cause && VerdictTraces.isTrace(it, cause) }.flatMap { VerdictTraces.checks(it.mistake) }
+            val isMissing = VerdictTraces.saysMissing(cause.mistake) || VerdictTraces.isLoss(cause)
+            val void = if (isVoid && isMissing) VerdictTraces.SHADING else emptySet()
+            val own = if (isDim) VerdictTraces.checks(cause.mistake) else emptySet()
+            return copy(cause, cause.explains.orEmpty() + (disturbedBy(cause.mistake) + void - absent) + traces + own)
         }
 
-        private fun fromStudy(study: List<Found>, scene: List<Found>): List<Found> =
-            study.filterNot { found ->
-                found.mistake in SCENE_KNOWS ||
-                    (found.mistake in CONE && scene.any { it.mistake in CONE && breaksTie(it, study) })
-            }
-
-        /** Round angles among the numbers sent tell a cosine of a cosine from a cone turned inside out. */
-        private fun breaksTie(scene: Found, study: List<Found>): Boolean =
-            scene.mistake == Mistake.COSINE_OF_COSINE && study.any { it.mistake == Mistake.CONE_INSIDE_OUT }
-
-        /** The larger of the two errors; the scene's for what only it can see. */
-        private fun check(check: Check, study: ShaderStudy, scene: SceneVerdict, mistakes: List<Found>): Measured {
-            val shading = study.checks.firstOrNull { it.check == check }
-            val staging = scene[check]?.takeUnless {
-                check == Check.CONE && shading?.error != null &&
-                    mistakes.none { it.mistake.check == Check.CONE }
-            }
-            val both = listOfNotNull(shading, staging)
-            return both.filter { it.error != null }.maxByOrNull { it.error ?: 0.0 }
-                ?: both.firstOrNull()
-                ?: Measured(check, null, "not measured")
-        }
+        private fun copy(
+            found: Found,
+            explains: Set<Check>,
+        ) = Found(found.mistake, found.fit, found.difference, found.where, found.alternatives, explains)
     }
 }

@@ -3,6 +3,7 @@ package cga.grading.pipeline
 import cga.grading.capture.WorkerFiles
 import cga.grading.capture.WorkerRun
 import cga.grading.findings.FailureReason
+import cga.grading.sandbox.End
 import cga.grading.sandbox.JavaCommand
 import cga.grading.sandbox.Job
 import cga.grading.sandbox.Limits
@@ -10,11 +11,13 @@ import cga.grading.sandbox.SafeFiles
 import cga.grading.sandbox.Sandbox
 import cga.grading.submission.Submission
 import java.nio.file.Path
+import kotlin.io.path.createDirectories
 
 /** Runs a submission in the sandbox, played by the script; what it draws is captured. */
 internal class CaptureStep(
     private val sandbox: Sandbox,
     private val programs: Programs,
+    private val limits: Limits,
 ) {
     /** The capture file, which nobody has looked into yet. Throws [Stopped] where there is none. */
     fun capture(submission: Submission, main: String, compiled: Compiled, scratch: Path, run: Run): Path {
@@ -22,18 +25,27 @@ internal class CaptureStep(
         val command = WorkerFiles.command(WorkerRun(listOf(compiled.classes), programs.worker, main, file))
         val readOnly = programs.readable + compiled.runtime + listOf(compiled.classes, submission.root)
         val outcome =
-            sandbox.run(Job(command, scratch, readOnly, JavaCommand.MESA, workingDirectory = submission.workingDirectory, limits = LIMITS))
+            sandbox.run(Job(command, scratch, readOnly, JavaCommand.MESA, workingDirectory = submission.workingDirectory, limits = limits))
         run.note("the program's output", outcome)
-        checkEnd("The program", outcome, mapOf(NO_OPENGL to FailureReason.INTERNAL))
+        // Any code may be the submission's own: that there is no OpenGL is believed to a program of ours only.
+        if (outcome.end == End.Exited(NO_OPENGL) && !hasOpenGl(scratch)) {
+            throw Stopped(FailureReason.INTERNAL, "No OpenGL window can be made in the sandbox.\n${outcome.errors.trim().take(MOST_SAID)}")
+        }
+        checkEnd("The program", outcome)
         if (!SafeFiles.exists(scratch, NAME)) throw Stopped(FailureReason.EXITED, "The program ended before anything was captured.")
         return file
+    }
+
+    private fun hasOpenGl(scratch: Path): Boolean {
+        val own = scratch.resolveSibling("trial").createDirectories()
+        val command = WorkerFiles.command(WorkerRun(emptyList(), programs.worker, TRIAL, own.resolve(NAME)))
+        return sandbox.run(Job(command, own, programs.readable, JavaCommand.MESA, limits = limits)).isSuccess
     }
 
     private companion object {
         const val NAME = "capture.bin"
         const val NO_OPENGL = 3
-
-        /** An honest run takes about 3 s of processor time and 450 MB. */
-        val LIMITS = Limits(wallSeconds = 60.0, cpuSeconds = 60.0)
+        const val TRIAL = "cga.grading.worker.Trial"
+        const val MOST_SAID = 1000
     }
 }

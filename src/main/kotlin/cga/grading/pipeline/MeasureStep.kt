@@ -1,6 +1,7 @@
 package cga.grading.pipeline
 
 import cga.framework.InputError
+import cga.grading.findings.Check
 import cga.grading.findings.FailureReason
 import cga.grading.findings.Findings
 import cga.grading.findings.FindingsFile
@@ -17,19 +18,26 @@ import kotlin.io.path.writeBytes
 internal class MeasureStep(
     private val sandbox: Sandbox,
     private val programs: Programs,
+    private val limits: Limits,
 ) {
     /** The findings, their pictures put into [folder]. Throws [Stopped]. */
     fun measure(submission: Submission, capture: Path, scratch: Path, folder: Path, run: Run): Findings {
         val arguments = listOf(capture.toString(), scratch.toString(), submission.edition.edition.id)
         val command = JavaCommand(programs.own, MAIN, arguments).command()
-        val outcome = sandbox.run(Job(command, scratch, programs.own + listOf(capture), JavaCommand.MESA, limits = LIMITS))
+        val outcome = sandbox.run(Job(command, scratch, programs.own + listOf(capture), JavaCommand.MESA, limits = limits))
         run.note("measuring", outcome)
-        checkEnd("Measuring", outcome, CODES)
+        // Nothing of the submission's but its shaders runs there: they are what took too long or brought the driver down.
+        checkEnd("Drawing with its shaders", outcome, CODES, FailureReason.INTERNAL)
         return try {
-            FindingsFile.read(scratch).also { copyPictures(it, scratch, folder) }
+            FindingsFile.read(scratch).also(::checkComplete).also { copyPictures(it, scratch, folder) }
         } catch (e: InputError) {
             throw Stopped(FailureReason.CAPTURE_UNREADABLE, e.message.orEmpty())
         }
+    }
+
+    private fun checkComplete(findings: Findings) {
+        val missing = Check.entries - findings.checks.map { it.check }.toSet()
+        if (missing.isNotEmpty()) throw InputError("the findings lack ${missing.joinToString { it.id }}.")
     }
 
     private fun copyPictures(findings: Findings, from: Path, to: Path) {
@@ -47,7 +55,9 @@ internal class MeasureStep(
                 3 to FailureReason.CAPTURE_UNREADABLE,
                 4 to FailureReason.NOT_REPRODUCIBLE,
                 5 to FailureReason.NOTHING_DRAWN,
+                6 to FailureReason.EXCEPTION,
+                7 to FailureReason.EXITED,
+                8 to FailureReason.OUT_OF_MEMORY,
             )
-        val LIMITS = Limits(wallSeconds = 120.0, cpuSeconds = 120.0)
     }
 }

@@ -24,14 +24,16 @@ import kotlin.io.path.createDirectories
  *
  * @param edition the sheet's, null where each submission's is detected.
  * @param home where the compilers and the worker are kept between runs.
+ * @param limits of each step.
  */
 public class Pipeline(
     private val sandbox: Sandbox,
     private val edition: Edition?,
     home: Path,
+    private val limits: PipelineLimits = PipelineLimits(),
 ) : GradeOne {
     private val programs = Programs(home)
-    private val compiler = SubmissionCompiler(sandbox, CompilerCache(home), programs.forSubmissions)
+    private val compiler = SubmissionCompiler(sandbox, CompilerCache(home), programs.forSubmissions, limits.compile)
 
     override fun grade(submission: Path, folder: Path, listener: CheckListener): Outcome {
         val work = folder.toRealPath().resolve("work").createDirectories()
@@ -46,23 +48,27 @@ public class Pipeline(
     }
 
     private fun grade(given: Path, folder: Path, work: Path, run: Run): Outcome {
-        val submission = run.timed("unpack") { read(given, work.resolve("unpacked")) }
+        val submission = run.timed("unpack") { read(given, work) }
         run.kind = submission.kind.name.lowercase()
         run.edition = submission.edition.edition.title
         val main = submission.mainClass ?: throw Stopped(FailureReason.NOT_RECOGNIZED, "There is no main function to start.")
         val compiled = run.timed("compile") { compile(submission, work.resolve("compile").createDirectories(), run) }
         val capture = run.timed("run") {
-            CaptureStep(sandbox, programs).capture(submission, main, compiled, work.resolve("run").createDirectories(), run)
+            CaptureStep(sandbox, programs, limits.run).capture(submission, main, compiled, work.resolve("run").createDirectories(), run)
         }
         return run
             .timed("measure") {
-                MeasureStep(sandbox, programs).measure(submission, capture, work.resolve("measure").createDirectories(), folder, run)
+                MeasureStep(
+                    sandbox,
+                    programs,
+                    limits.measure,
+                ).measure(submission, capture, work.resolve("measure").createDirectories(), folder, run)
             }.let { run.graded(it, submission.notes + compiled.notes) }
     }
 
-    private fun read(given: Path, unpackTo: Path): Submission =
+    private fun read(given: Path, work: Path): Submission =
         try {
-            SubmissionReader.read(given, unpackTo, edition)
+            SubmissionReader.read(Readable.of(given, work.resolve("copy")), work.resolve("unpacked"), edition)
         } catch (e: NotASubmission) {
             throw Stopped(FailureReason.NOT_RECOGNIZED, e.message.orEmpty())
         } catch (e: InputError) {

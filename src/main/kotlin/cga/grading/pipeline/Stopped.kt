@@ -11,13 +11,31 @@ internal class Stopped(
     val detail: String,
 ) : Exception(detail)
 
-/** Throws [Stopped] where [outcome] of [step] is that of a job killed, crashed or ended with a code that is not 0; [codes] gives codes another reason. */
-internal fun checkEnd(step: String, outcome: Outcome, codes: Map<Int, FailureReason> = emptyMap()) {
+/**
+ * Throws [Stopped] where [outcome] of [step] is that of a job killed, crashed or ended with a code that is not 0; [codes] gives codes a reason,
+ * [otherwise] is that of all others. Where a code has a reason, what the step itself said is the whole detail.
+ */
+internal fun checkEnd(
+    step: String,
+    outcome: Outcome,
+    codes: Map<Int, FailureReason> = emptyMap(),
+    otherwise: FailureReason = FailureReason.EXITED,
+) {
     when (val end = outcome.end) {
         is End.Exited -> {
             if (end.code == 0) return
             val said = outcome.errors.lines().filter(String::isNotBlank).takeLast(LAST_LINES).joinToString("\n")
-            throw Stopped(codes[end.code] ?: FailureReason.EXITED, "$step ended with exit code ${end.code}.\n$said".trim())
+            val known = codes[end.code]
+            throw Stopped(
+                known ?: otherwise,
+                if (known != null &&
+                    said != ""
+                ) {
+                    said
+                } else {
+                    "$step ended with exit code ${end.code}.\n$said".trim()
+                },
+            )
         }
         is End.Signalled -> throw Stopped(FailureReason.CRASHED, "$step crashed with signal ${end.signal}.")
         is End.Exceeded -> throw Stopped(
@@ -27,7 +45,7 @@ internal fun checkEnd(step: String, outcome: Outcome, codes: Map<Int, FailureRea
     }
 }
 
-private const val LAST_LINES = 6
+private const val LAST_LINES = 12
 
 private fun reason(limit: Limit): FailureReason =
     when (limit) {

@@ -16,8 +16,8 @@ internal class AttenuationJudge(
     private val spotK = profile.spotK
 
     fun judge() {
-        val point = measure(roles.own, pointK, Check.ATTENUATION_POINT, "no point light fades")
-        val spot = measure(roles.spot, spotK, Check.ATTENUATION_SPOT, "no spotlight fades")
+        val point = measure(roles.own, pointK, Check.ATTENUATION_POINT, "There is no point light that could fade.")
+        val spot = measure(roles.spot, spotK, Check.ATTENUATION_SPOT, "There is no spotlight that could fade.")
         name(point, spot)
     }
 
@@ -36,14 +36,16 @@ internal class AttenuationJudge(
         missing: String,
     ): Other? {
         if (light == null) {
-            book.measured(check, 1.0, missing)
+            book.absent(check, missing)
             return null
         }
         val k = light.last.k
         val error = if (expected == null) (if (isConstant(k)) 1.0 else 0.0) else difference(k, expected)
         val wanted = if (expected == null) "any that fades" else expected.text()
-        book.measured(check, error, "${light.name}: K = ${k.text()}, wanted $wanted")
-        if (!k.isFinite || k.maxAbs() < NOTHING) book.missing += "the attenuation of ${light.name}"
+        book.measured(check, error, "${light.name}: K = ${k.text()}; wanted $wanted.")
+        if (!k.isFinite || k.maxAbs() < NOTHING) {
+            book.lacks("the attenuation of ${light.name}", setOf(check, Check.ATTENUATION_FORM), setOf(Mistake.ATTENUATION_OTHER_K))
+        }
         return if (error > NAMED) Other(light, k, error) else null
     }
 

@@ -7,10 +7,15 @@ import org.joml.Vector3d
 import org.joml.Vector3dc
 import kotlin.math.max
 
-/** Task 4.4: the ground's colour stays, the motorcycle's changes with time, its light shines in the same. */
+/**
+ * Task 4.4: the ground's colour stays, the motorcycle's changes with time, its light shines in the same.
+ *
+ * @param isSent whether something is sent that no shader takes: then a colour that nothing shows may have been sent.
+ */
 internal class ColorJudge(
     private val timeline: Timeline,
     private val roles: LightRoles,
+    private val isSent: Boolean,
     private val book: Notebook,
 ) {
     private class Tint(
@@ -20,13 +25,21 @@ internal class ColorJudge(
     )
 
     fun judge() {
-        val ground = tints(timeline.cast.ground)
-        val motorcycle = tints(timeline.cast.motorcycle)
+        val all = listOf(timeline.cast.ground, timeline.cast.motorcycle).map(::tints)
+        // White everywhere and always, written into the shader while a colour is sent to nobody, is none.
+        val (ground, motorcycle) = if (isSent &&
+            all.flatten().all { it.color.distance(WHITE) < DARK }
+        ) {
+            listOf(emptyList(), emptyList())
+        } else {
+            all
+        }
         ground(ground)
         motorcycle(motorcycle)
         light(motorcycle)
         if (ground.isEmpty() && motorcycle.isEmpty() && timeline.laterShots.isNotEmpty()) {
-            book.found(Mistake.EMISSION_COLOR_IGNORED, 0.0, 1.0, "ground and motorcycle", listOf(Mistake.COLOR_CONSTANT))
+            val explains = if (isSent) setOf(Check.GROUND_COLOR, Check.MOTORCYCLE_COLOR) else emptySet()
+            book.found(Mistake.EMISSION_COLOR_IGNORED, 0.0, 1.0, "ground and motorcycle", listOf(Mistake.COLOR_CONSTANT), explains)
         }
     }
 
@@ -36,44 +49,86 @@ internal class ColorJudge(
         }
 
     private fun ground(tints: List<Tint>) {
-        if (timeline.cast.ground == null) return book.measured(Check.GROUND_COLOR, null, "there is no ground to be seen")
-        if (tints.isEmpty()) return book.measured(Check.GROUND_COLOR, 1.0, "no colour is multiplied with the ground's emission")
+        if (timeline.cast.ground == null) return book.measured(Check.GROUND_COLOR, null, "There is no ground to be seen.")
+        if (tints.isEmpty()) return book.absent(Check.GROUND_COLOR, "No colour is multiplied with the ground's emission.")
         val color = tints.last().color
         val change = spread(tints) / max(tints.maxOf { it.color.maxAbs() }, DARK)
         when {
-            change > STILL -> book.measured(Check.GROUND_COLOR, change, "the ground's colour changes: ${list(tints)}")
-            color.distance(WHITE) < PLAIN -> book.measured(Check.GROUND_COLOR, 1.0, "the ground's colour is white: nothing changes")
-            color.maxAbs() < PLAIN -> book.measured(Check.GROUND_COLOR, 1.0, "the ground's colour is black")
-            else -> book.measured(Check.GROUND_COLOR, 0.0, "the ground's colour is ${color.text()}")
+            change > STILL -> book.measured(
+                Check.GROUND_COLOR,
+                change,
+                "The ground's colour changes; wanted: always the same. It was ${list(tints)}.",
+            )
+            color.distance(
+                WHITE,
+            ) < PLAIN -> book.measured(
+                Check.GROUND_COLOR,
+                1.0,
+                "The ground's colour is white, which changes nothing; wanted: green or another.",
+            )
+            color.maxAbs() < PLAIN -> book.measured(Check.GROUND_COLOR, 1.0, "The ground's colour is black.")
+            else -> book.measured(Check.GROUND_COLOR, 0.0, "The ground's colour is ${color.text()}, always.")
         }
     }
 
     private fun motorcycle(tints: List<Tint>) {
-        if (tints.isEmpty()) return book.measured(Check.MOTORCYCLE_COLOR, 1.0, "no colour is multiplied with the motorcycle's emission")
+        if (tints.isEmpty()) return book.absent(Check.MOTORCYCLE_COLOR, "No colour is multiplied with the motorcycle's emission.")
         val standing = tints.filter { it.moment in STANDING }
-        if (standing.size < 2) return book.measured(Check.MOTORCYCLE_COLOR, null, "too few frames")
-        if (spread(tints) > CHANGE) return book.measured(Check.MOTORCYCLE_COLOR, 0.0, "the motorcycle's colour: ${list(standing)}")
-        book.measured(Check.MOTORCYCLE_COLOR, 1.0, "the motorcycle's colour is always ${tints.last().color.text()}")
+        if (standing.size < 2) return book.measured(Check.MOTORCYCLE_COLOR, null, "There are too few frames.")
+        if (spread(tints) >
+            CHANGE
+        ) {
+            return book.measured(Check.MOTORCYCLE_COLOR, 0.0, "The motorcycle's colour changes with time: ${list(standing)}.")
+        }
+        book.measured(
+            Check.MOTORCYCLE_COLOR,
+            1.0,
+            "The motorcycle's colour is always ${tints.last().color.text()}; wanted: one that changes with time.",
+        )
         book.found(Mistake.COLOR_CONSTANT, 0.0, 1.0, "motorcycle")
     }
 
     private fun light(tints: List<Tint>) {
-        val own = roles.own ?: return book.measured(Check.LIGHT_COLOR, 1.0, "there is no point light at the motorcycle")
+        val own = roles.own ?: return book.absent(Check.LIGHT_COLOR, "There is no point light at the motorcycle.")
         val changes = spread(tints) > CHANGE
         val isPlain = tints.isEmpty() || tints.last().color.distance(WHITE) < PLAIN
         if (!changes && (own.changesColor || isPlain)) {
             // Sines on the light alone: what is missing is the motorcycle's colour, and costs there.
             val (error, what) = if (own.changesColor) 0.0 to "changes" else 1.0 to "never changes"
-            return book.measured(Check.LIGHT_COLOR, error, "${own.name} $what its colour")
+            return book.measured(Check.LIGHT_COLOR, error, "The light ${own.name} $what its colour.")
         }
         val pairs = tints.mapNotNull { tint -> own.at(tint.moment)?.let { tint to it.color } }
-        if (pairs.isEmpty()) return book.measured(Check.LIGHT_COLOR, null, "${own.name} is in no frame")
+        if (pairs.isEmpty()) return book.measured(Check.LIGHT_COLOR, null, "${own.name} is in no frame.")
         val slack = speed(tints) * SLACK
-        // A sine may be negative: a colour below 0 is none, for the emission and the light alike.
-        val error = minOf(difference(pairs, slack) { it }, difference(pairs, slack) { Vector3d(it).max(Vector3d()) })
-        book.measured(Check.LIGHT_COLOR, error, "${own.name} ${own.last.color.text()}, the motorcycle ${tints.last().color.text()}")
+        val error = difference(pairs, slack)
+        val late = late(own)
+        if (error > DIFFERS && late.size > 1 && difference(late, slack) <= DIFFERS) {
+            return book.measured(
+                Check.LIGHT_COLOR,
+                0.0,
+                "The light ${own.name} has the motorcycle's colour of the frame before: that costs at the order.",
+            )
+        }
+        book.measured(
+            Check.LIGHT_COLOR,
+            error,
+            "The light ${own.name} is ${own.last.color.text()}, the motorcycle ${tints.last().color.text()}; wanted: the same.",
+        )
         if (error > DIFFERS) book.found(Mistake.LIGHT_COLOR_DIFFERS, 0.0, error, own.name)
     }
+
+    /** The light's colours with the tints of the frames before theirs: of a light that is bound when everything has been drawn. */
+    private fun late(own: LightTrack): List<Pair<Tint, Vector3dc>> =
+        timeline.frames.zipWithNext().mapNotNull { (before, now) ->
+            val tint = timeline.cast.motorcycle?.of(before)?.tint?.takeIf { it.isFinite } ?: return@mapNotNull null
+            own.at(now.moment)?.let { Tint(before.moment, before.time, tint) to it.color }
+        }
+
+    /** As the other [difference]; a sine may be negative, and a colour below 0 is none, for the emission and the light alike. */
+    private fun difference(
+        pairs: List<Pair<Tint, Vector3dc>>,
+        slack: Double,
+    ): Double = minOf(difference(pairs, slack) { it }, difference(pairs, slack) { Vector3d(it).max(Vector3d()) })
 
     /** Of light colours from the tints times one intensity, relative; [slack] of each difference is forgiven. */
     private fun difference(

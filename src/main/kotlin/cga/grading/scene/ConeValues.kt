@@ -22,12 +22,13 @@ public object ConeValues {
     ): Pair<Measured, Found?> {
         val inner = cone.innerAngle
         val outer = cone.outerAngle
-        val text = "inner ${degrees(inner)}, outer ${degrees(outer)}"
-        val mistake = mistake(inner, outer) ?: return Measured(Check.CONE, 0.0, text) to null
+        val text = "Full light up to ${degrees(inner)}, darkness from ${degrees(outer)}"
+        val mistake = mistake(inner, outer) ?: return Measured(Check.CONE, 0.0, "$text.") to null
         // A hard edge is a cone all the same.
         val error = if (mistake == Mistake.CONE_HARD_EDGE) HARD_EDGE else 1.0
         val alternatives = if (mistake == Mistake.CONE_INSIDE_OUT && inner <= 1) listOf(Mistake.COSINE_OF_COSINE) else emptyList()
-        return Measured(Check.CONE, error, "$text: ${mistake.id}") to Found(mistake, 0.0, error, name, alternatives)
+        return Measured(Check.CONE, error, "$text; wanted: the first angle smaller than the second, both below 90°.") to
+            Found(mistake, 0.0, error, name, alternatives)
     }
 
     private fun mistake(

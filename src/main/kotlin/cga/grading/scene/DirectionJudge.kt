@@ -52,17 +52,31 @@ internal class DirectionJudge(
         val aim = aims.keys.find { (aims[it]?.residual ?: Double.MAX_VALUE) <= HOLDS }
         val child = aims.getValue(Aim.CHILD)
         when {
-            aim == Aim.CHILD -> sign(spot, samples.first(), child)
+            aim == Aim.CHILD -> {
+                sign(spot, samples.first(), child)
+                if (aims.getValue(Aim.STATIC).residual > HOLDS) localPositions(spot)
+            }
             aim == Aim.STATIC && spot.placed.place?.rides == false -> {
-                book.measured(Check.SPOT_DIRECTION, 0.0, "the direction stays with the light, which does not ride along: costs there")
+                book.measured(Check.SPOT_DIRECTION, 0.0, "The direction stays with the light, which does not ride along: that costs there.")
             }
             else -> wrongSpace(spot, aim, aims)
         }
     }
 
     private fun noDirection(spot: LightTrack) {
-        book.measured(Check.SPOT_DIRECTION, 1.0, "${spot.name} has no direction: it is zero or no number")
-        book.missing += "the direction of ${spot.name}"
+        book.measured(Check.SPOT_DIRECTION, 1.0, "${spot.name} has no direction: it is zero or no number.")
+        book.lacks("the direction of ${spot.name}", setOf(Check.SPOT_DIRECTION, Check.CONE), emptySet())
+    }
+
+    /** A spotlight that turns with the motorcycle is its child; if it stays all the same, both lights send where they are in their parent. */
+    private fun localPositions(spot: LightTrack) {
+        val own = roles.own ?: return
+        if (!book.has(Mistake.SPOT_NOT_CHILD) || !book.has(Mistake.LIGHT_NOT_CHILD)) return
+        book.remove(Mistake.SPOT_NOT_CHILD)
+        book.remove(Mistake.LIGHT_NOT_CHILD)
+        val where = "${own.name}, ${spot.name}"
+        book.found(Mistake.LIGHT_NOT_CHILD, own.placed.static, 1.0, where, explains = setOf(Check.SPOT_LIGHT_CHILD))
+        book.note("${spot.name} turns with the motorcycle and does not move with it: $where send the position in their parent's space.")
     }
 
     private fun wrongSpace(
@@ -73,7 +87,7 @@ internal class DirectionJudge(
         val error = aims.getValue(Aim.CHILD).residual
         val best = aim ?: Aim.entries.minBy { aims.getValue(it).residual }.takeIf { aims.getValue(it).residual < TELLS * error }
         val what = best?.text ?: "is off by up to ${Math.toDegrees(error).text()}° from one that turns with the motorcycle"
-        book.measured(Check.SPOT_DIRECTION, error, "the direction of ${spot.name} $what")
+        book.measured(Check.SPOT_DIRECTION, error, "The direction of ${spot.name} $what; wanted: turns with the motorcycle.")
         val mistake = best?.mistake ?: return
         // Of a motorcycle that never turned nobody can say which of the two it was.
         val same = Aim.entries.filter { aims.getValue(it).residual <= HOLDS }.mapNotNull { it.mistake }.distinct() - mistake
@@ -88,7 +102,7 @@ internal class DirectionJudge(
         val world = Matrix3d(sample.shot.viewTurn).transpose().transform(Vector3d(sample.direction))
         val forwards = ahead(sample.shot).map { it.dot(world) }
         val backwards = forwards.isNotEmpty() && forwards.all { it < -BEHIND }
-        val what = "the direction of ${spot.name} is ${world.text()} in the world"
+        val what = "The direction of ${spot.name} is ${world.text()} in the world"
         val fault =
             when {
                 backwards && world.y > 0 -> "backwards and up"
@@ -97,10 +111,10 @@ internal class DirectionJudge(
                 else -> null
             }
         if (fault != null) {
-            book.measured(Check.SPOT_DIRECTION, 1.0, "$what: it points $fault")
+            book.measured(Check.SPOT_DIRECTION, 1.0, "$what: it points $fault; wanted: forwards and down.")
             book.found(Mistake.SPOT_DIRECTION_SIGN, child.residual, 1.0, "${spot.name} points $fault")
         } else {
-            book.measured(Check.SPOT_DIRECTION, child.residual, what)
+            book.measured(Check.SPOT_DIRECTION, child.residual, "$what and turns with the motorcycle.")
             if (world.y > -LEVEL) book.note("The headlight ${spot.name} is level; the sheet wants it tilted down a little.")
         }
     }

@@ -15,36 +15,72 @@ import kotlin.math.min
 internal class EventJudge(
     private val events: List<CapturedEvent>,
     private val uniforms: Set<String>,
+    private val program: ProgramFacts,
     private val book: Notebook,
 ) {
+    /** To be called when everything else has been judged. */
     fun judge() {
-        absent()
+        book.unlit += program.unset.orEmpty()
+        refused()
         beforeUse()
+        absent()
         for (text in texts(EventKind.GL_ERROR)) book.note("OpenGL reported $text.")
     }
 
-    private fun absent() {
-        val names = texts(EventKind.UNIFORM_ABSENT).filter(::matters)
-        if (names.isEmpty()) return
-        if (book.missing.isEmpty()) {
-            book.note("Set but in no program: ${names.take(MOST_NAMES).joinToString()}. The picture lacks nothing of them.")
-        } else {
-            val likeliest = names.sortedBy { distance(it) }.take(MOST_NAMES)
-            book.found(Mistake.UNIFORM_ABSENT, 0.0, 1.0, likeliest.joinToString(transform = ::suggestion))
-            book.remove(Mistake.LIGHT_MISSING)
-            book.note("Missing: ${book.missing.joinToString()}.")
+    /** Shaders that the driver refused: behind the stand-ins nothing of the lights can be seen, and of the rest what the vertex stage shows. */
+    private fun refused() {
+        val logs = texts(EventKind.SHADER_FAILED) + texts(EventKind.LINK_FAILED)
+        if (logs.isEmpty()) return
+        if (program.isReplaced) {
+            book.isReplaced = true
+            book.unmeasured(SceneJudge.CHECKS - OrbitChecks.ALL, OrbitChecks.ALL, "A shader was refused, so nothing of this can be seen.")
         }
+        val log = logs.first().lines().filter { it.isNotBlank() }
+        val telling = listOfNotNull(log.firstOrNull(), log.find { ERROR.containsMatchIn(it) } ?: log.getOrNull(1))
+        book.found(Mistake.GLSL_DRIVER, 0.0, 1.0, telling.distinct().joinToString(": ") { it.trim() })
+    }
+
+    private fun absent() {
+        val asked = texts(EventKind.UNIFORM_ABSENT).distinct()
+        val names = asked.filter { matters(it) && !isDeclared(it) }
+        book.unlit += asked.filter(::isDeclared)
+        when {
+            asked.isEmpty() || book.isReplaced -> return
+            book.missing.isEmpty() || names.isEmpty() || !isMissed(names) || book.has(Mistake.UNIFORM_BEFORE_USE) ->
+                book.note("Set but in no program: ${asked.take(MOST_NAMES).joinToString()}. The picture lacks nothing of them.")
+            else -> {
+                val likeliest = names.sortedBy { distance(it) }.take(MOST_NAMES)
+                book.explained(Mistake.UNIFORM_ABSENT, likeliest.joinToString(transform = ::suggestion))
+            }
+        }
+    }
+
+    /** Whether the compiler may have dropped the uniform because nothing depends on it: then its name is spelt right. */
+    private fun isDeclared(name: String) = NAME.findAll(name).all { it.value in program.words }
+
+    /** Whether something that waits for numbers may have been meant by [names]: it is spelt alike, or nothing else is left for it. */
+    private fun isMissed(names: List<String>): Boolean {
+        val unset = program.unset ?: return true
+        val alike = names.any { name -> unset.any { (name.commonPrefixWith(it).length + name.commonSuffixWith(it).length) >= ALIKE } }
+        return unset.isNotEmpty() && (alike || names.size >= unset.size)
     }
 
     private fun beforeUse() {
         val calls = texts(EventKind.UNIFORM_WITHOUT_PROGRAM)
-        if (calls.isEmpty() || book.has(Mistake.UNIFORM_BEFORE_USE)) return
-        if (book.missing.isEmpty()) {
-            book.note("Uniforms were set while their program was not in use (${calls.joinToString()}); the picture lacks nothing of them.")
+        if (calls.isEmpty() || book.isReplaced || book.has(Mistake.UNIFORM_BEFORE_USE)) return
+        if (book.missing.isEmpty() || !areLost(calls)) {
+            val few = calls.take(MOST_NAMES).joinToString()
+            book.note("Uniforms were set while their program was not in use ($few); the picture lacks nothing of them.")
         } else {
-            book.measured(Check.ORDER, 1.0, "${calls.joinToString()} without the program in use; missing: ${book.missing.joinToString()}")
-            book.found(Mistake.UNIFORM_BEFORE_USE, 0.0, 1.0, calls.joinToString())
+            book.measured(Check.ORDER, 1.0, "Set while no program was in use: ${calls.take(MOST_NAMES).joinToString()}.")
+            book.explained(Mistake.UNIFORM_BEFORE_USE, calls.take(MOST_NAMES).joinToString())
         }
+    }
+
+    /** Whether what [calls] set is 0 for ever. */
+    private fun areLost(calls: List<String>): Boolean {
+        val unset = program.unset ?: return true
+        return calls.any { call -> ' ' !in call || unset.any { it.removeSuffix("[0]") == call.substringAfter(' ').removeSuffix("[0]") } }
     }
 
     private fun texts(kind: EventKind) = events.filter { it.kind == kind }.map { it.text.take(LONGEST_NAME) }.distinct().take(MOST_TEXTS)
@@ -63,6 +99,11 @@ internal class EventJudge(
 
     private companion object {
         const val MOST_TEXTS = 64
+        val ERROR = Regex("\\berror\\b", RegexOption.IGNORE_CASE)
+
+        /** Letters at both ends that two names for one thing share at least: `Pos`, `bikeCol`. */
+        const val ALIKE = 3
+        val NAME = Regex("[A-Za-z_]\\w*")
         const val MOST_NAMES = 5
         const val LONGEST_NAME = 200
         const val TYPO = 2

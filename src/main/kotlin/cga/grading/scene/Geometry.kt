@@ -61,6 +61,9 @@ internal fun angle(
 
 internal fun Double.text(): String = if (isNaN()) "none" else "%.4g".format(Locale.ROOT, this)
 
+/** As a percentage, of something between 0 and 1. */
+internal fun Double.percent(): String = "%.1f %%".format(Locale.ROOT, 100 * this)
+
 internal fun Vector3dc.text(): String = "(${rounded(x())}, ${rounded(y())}, ${rounded(z())})"
 
 private fun rounded(number: Double) = "%.3f".format(Locale.ROOT, number)

@@ -17,14 +17,19 @@ internal class LightJudge(
     private fun point() {
         val own = roles.own
         if (own == null) {
-            val others = if (roles.further.isEmpty()) "" else ", only ${names(roles.further)} far from it"
-            val text = "no point light at the motorcycle$others"
-            listOf(Check.POINT_LIGHT, Check.POINT_LIGHT_CHILD, Check.POINT_LIGHT_POSITION).forEach { book.measured(it, 1.0, text) }
+            val others = if (roles.further.isEmpty()) {
+                "No point light shines."
+            } else {
+                "Only ${names(
+                    roles.further,
+                )} shine, far from the motorcycle."
+            }
+            POINT.forEach { book.absent(it, others) }
             book.found(Mistake.LIGHT_MISSING, 0.0, 1.0, "point light")
-            book.missing += "the point light"
+            book.lacks("the point light", POINT + Check.ATTENUATION_POINT + Check.LIGHT_COLOR, setOf(Mistake.LIGHT_MISSING))
             return
         }
-        book.measured(Check.POINT_LIGHT, 0.0, "${own.name} shines")
+        book.measured(Check.POINT_LIGHT, 0.0, "The light ${own.name} shines.")
         rides(own, Check.POINT_LIGHT_CHILD, Mistake.LIGHT_NOT_CHILD)
         height(own)
     }
@@ -32,13 +37,12 @@ internal class LightJudge(
     private fun spot() {
         val spot = roles.spot
         if (spot == null) {
-            val checks = listOf(Check.SPOT_LIGHT, Check.SPOT_LIGHT_CHILD, Check.SPOT_DIRECTION, Check.CONE, Check.ATTENUATION_SPOT)
-            checks.forEach { book.measured(it, 1.0, "no light with a cone shines") }
+            SPOT.forEach { book.absent(it, "No light with a cone shines.") }
             book.found(Mistake.SPOT_MISSING, 0.0, 1.0, "spotlight")
-            book.missing += "the spotlight"
+            book.lacks("the spotlight", SPOT + Check.CONE_SPECULAR, setOf(Mistake.SPOT_MISSING))
             return
         }
-        book.measured(Check.SPOT_LIGHT, 0.0, "${spot.name} shines")
+        book.measured(Check.SPOT_LIGHT, 0.0, "The spotlight ${spot.name} shines.")
         rides(spot, Check.SPOT_LIGHT_CHILD, Mistake.SPOT_NOT_CHILD)
     }
 
@@ -50,11 +54,15 @@ internal class LightJudge(
     ) {
         val placed = light.placed
         if (!timeline.cast.driven || timeline.laterShots.size < 2) {
-            book.measured(check, null, "the motorcycle was never driven: whether ${light.name} follows it cannot be seen")
+            book.measured(check, null, "The motorcycle was never driven, so nobody can see whether ${light.name} follows it.")
             return
         }
         val error = notRiding(placed)
-        book.measured(check, error, "${light.name} ${placed.place?.text ?: "neither rides with the motorcycle nor stays in the world"}")
+        book.measured(
+            check,
+            error,
+            "${light.name}: ${placed.place?.text ?: "neither rides with the motorcycle nor stays in the world"}; wanted: moves with the motorcycle.",
+        )
         if (error > TELLING) {
             val residual = if (placed.place == Place.STATIC) placed.static else placed.fit
             book.found(mistake, residual, error, light.name)
@@ -79,13 +87,19 @@ internal class LightJudge(
         val ground = timeline.cast.ground?.of(shot.frame)?.let(::groundHeight) ?: return
         val above = light.at(shot.moment)?.let { shot.world(it).y - ground } ?: return
         if (above >= IN_GROUND) return
-        book.spoilt(Check.POINT_LIGHT_CHILD, 1.0, "${light.name} is ${above.text()} above the ground: it cannot shine onto it")
+        book.spoilt(
+            Check.POINT_LIGHT_CHILD,
+            1.0,
+            "${light.name} is ${above.text()} above the ground; wanted: more than $IN_GROUND, so that it can shine onto it.",
+        )
         book.found(Mistake.LIGHT_IN_GROUND, 0.0, 1.0, light.name)
     }
 
     private fun names(lights: List<LightTrack>) = lights.joinToString { it.name }
 
     private companion object {
+        val POINT = setOf(Check.POINT_LIGHT, Check.POINT_LIGHT_CHILD, Check.POINT_LIGHT_POSITION)
+        val SPOT = setOf(Check.SPOT_LIGHT, Check.SPOT_LIGHT_CHILD, Check.SPOT_DIRECTION, Check.CONE, Check.ATTENUATION_SPOT)
         const val TELLING = 0.05
         const val TINY = 1e-12
 

@@ -10,20 +10,27 @@ import org.joml.Vector3dc
  * @param own the motorcycle's point light, or the light that was meant to be it.
  * @param spot the headlight.
  * @param further all other point lights that shine.
+ * @param unlit names of the lights that never do.
  */
 internal class LightRoles(
     val own: LightTrack?,
     val spot: LightTrack?,
     val further: List<LightTrack>,
+    val unlit: Set<String> = emptySet(),
 ) {
     companion object {
         fun of(timeline: Timeline): LightRoles {
-            val shining = LightTrack.all(timeline.frames).filter { it.shines }
+            val (shining, unlit) = LightTrack.all(timeline.frames).partition { it.shines }
             Placed.all(shining, timeline)
             val spots = shining.filter { it.isSpot }
             val points = shining - spots.toSet()
             val own = own(points, timeline)
-            return LightRoles(own, spots.find { it.rides() } ?: spots.firstOrNull(), points - setOfNotNull(own).toSet())
+            return LightRoles(
+                own,
+                spots.find { it.rides() } ?: spots.firstOrNull(),
+                points - setOfNotNull(own).toSet(),
+                unlit.map { it.name }.toSet(),
+            )
         }
 
         private fun own(

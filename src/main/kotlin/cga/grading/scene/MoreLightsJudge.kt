@@ -16,9 +16,13 @@ internal class MoreLightsJudge(
         val colors = roles.further.filter { light -> roles.further.takeWhile { it !== light }.none { sameColor(it, light) } }
         val counted = minOf(places.size, colors.size)
         val error = max(0.0, 1 - counted / WANTED)
-        val text = "${roles.further.size} further point lights, ${places.size} places, ${colors.size} colours"
-        book.measured(Check.MORE_LIGHTS, error, text)
-        if (error > 0) book.found(Mistake.MORE_LIGHTS_MISSING, 0.0, error, text)
+        val text = "${roles.further.size} further point lights at ${places.size} places, in ${colors.size} colours"
+        val full = "$text; wanted: ${WANTED.toInt()} or more of each."
+        if (roles.further.isEmpty()) book.absent(Check.MORE_LIGHTS, full) else book.measured(Check.MORE_LIGHTS, error, full)
+        if (error > 0) {
+            book.found(Mistake.MORE_LIGHTS_MISSING, 0.0, error, text)
+            book.lacks("the further lights", setOf(Check.MORE_LIGHTS, Check.MORE_LIGHTS_SHADING), setOf(Mistake.MORE_LIGHTS_MISSING))
+        }
     }
 
     private fun samePlace(

@@ -25,14 +25,14 @@ internal class OrbitJudge(
     fun judge() {
         val turns = turns(0)
         if (turns.size < MouseMove.ALL.size) {
-            return CHECKS.forEach { book.measured(it, null, "the frames with the mouse are not all there") }
+            return OrbitChecks.ALL.forEach { book.measured(it, null, "The frames with the mouse are not all there.") }
         }
         val late = turns(1)
         val reactions = if (isLate(turns, late)) late.also { book.note("The camera follows the mouse one frame late.") } else turns
         val turning = reactions.filter { it.turn.angle > TURNED }
         val sideways = turning.filter { it.move.isSideways() }
         if (sideways.isEmpty()) return missing(reactions)
-        book.measured(Check.ORBIT, 0.0, "turns ${if (sideways.all { it.move.alt }) "while Alt is held" else "with the mouse"}")
+        book.measured(Check.ORBIT, 0.0, "The camera turns ${if (sideways.all { it.move.alt }) "while Alt is held" else "with the mouse"}.")
         horizon(turning, sideways)
         pivot(turning, sideways)
         OrbitPace(profile.radiansPerPixel, book).judge(reactions.map { it.move to it.turn })
@@ -58,11 +58,11 @@ internal class OrbitJudge(
     private fun missing(reactions: List<Reaction>) {
         val what =
             when {
-                reactions.any { it.turn.motorcycleTurned > MOTORCYCLE_TURNED } -> "the mouse turns the motorcycle, not the camera about it"
-                reactions.any { it.turn.moved > TURNED } -> "the mouse moves the camera without turning it"
-                else -> "the camera does not turn when the mouse moves, with or without Alt"
+                reactions.any { it.turn.motorcycleTurned > MOTORCYCLE_TURNED } -> "The mouse turns the motorcycle, not the camera about it"
+                reactions.any { it.turn.moved > TURNED } -> "The mouse moves the camera without turning it"
+                else -> "The camera does not turn when the mouse moves, with or without Alt"
             }
-        CHECKS.forEach { book.measured(it, 1.0, what) }
+        OrbitChecks.ALL.forEach { book.absent(it, "$what.") }
         book.found(Mistake.ORBIT_MISSING, 0.0, 1.0, what)
     }
 
@@ -72,7 +72,7 @@ internal class OrbitJudge(
     ) {
         val worst = turning.maxBy { it.rolled() }
         val error = worst.rolled()
-        book.measured(Check.ORBIT_HORIZON, error, "the horizon tilts by ${error.text()} of the angle turned (${worst.move.moment})")
+        book.measured(Check.ORBIT_HORIZON, error, "The horizon tilts by ${error.percent()} of the angle turned; wanted 0 %.")
         if (error <= NAMED) return
         val rolled = sideways.maxBy { it.rolled() }
         if (rolled.rolled() > NAMED) {
@@ -92,9 +92,13 @@ internal class OrbitJudge(
         val error = worst.turn.passesBy(box)
         val turnedInPlace = sideways.all { it.turn.moved < IN_PLACE * it.turn.angle }
         if (turnedInPlace && book.has(Mistake.ORBIT_OWN_AXIS)) {
-            return book.measured(Check.ORBIT_PIVOT, 0.0, "the camera turns on the spot about its own axis: costs at the horizon")
+            return book.measured(Check.ORBIT_PIVOT, 0.0, "The camera turns on the spot about its own axis: that costs at the horizon.")
         }
-        book.measured(Check.ORBIT_PIVOT, error, "the axis passes the motorcycle by at ${error.text()} of the camera's distance, at most")
+        book.measured(
+            Check.ORBIT_PIVOT,
+            error,
+            "The axis passes the motorcycle by at ${error.percent()} of the camera's distance; wanted 0 %.",
+        )
         if (error <= NAMED) return
         val passing = sideways.maxBy { it.turn.passesBy(box) }.takeIf { it.turn.passesBy(box) > NAMED } ?: worst
         val (where, fit) = whichPivot(passing, turnedInPlace)
@@ -146,8 +150,6 @@ internal class OrbitJudge(
     private fun MouseMove.isSideways() = !first && x != 0.0 && y == 0.0
 
     internal companion object {
-        val CHECKS = listOf(Check.ORBIT, Check.ORBIT_PIVOT, Check.ORBIT_HORIZON, Check.ORBIT_FACTOR, Check.ORBIT_START)
-
         /** Radians. Float matrices turn by 1e-6 of themselves; a factor in degrees still turns by 1e-3 in 100 pixels. */
         const val TURNED = 1e-4
         private const val LEAST_TURN = 1e-2
@@ -160,4 +162,9 @@ internal class OrbitJudge(
         private const val IN_PLACE = 0.05
         private const val SAME_PLACE = 0.1
     }
+}
+
+/** The checks of task 4.5. */
+internal object OrbitChecks {
+    val ALL: Set<Check> = setOf(Check.ORBIT, Check.ORBIT_PIVOT, Check.ORBIT_HORIZON, Check.ORBIT_FACTOR, Check.ORBIT_START)
 }

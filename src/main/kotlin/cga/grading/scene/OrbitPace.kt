@@ -20,7 +20,7 @@ internal class OrbitPace(
         val drifting = reactions.filter { (move, turn) -> isRest(move) && turn.angle > OrbitJudge.TURNED }
         if (drifting.isNotEmpty()) {
             val (move, turn) = drifting.first()
-            val text = "the camera goes on turning while the mouse rests: ${turn.angle.text()} rad in ${move.moment}"
+            val text = "The camera goes on turning while the mouse rests: by ${turn.angle.text()} rad in ${move.moment}; wanted 0."
             book.measured(Check.ORBIT_FACTOR, 1.0, text)
             book.found(Mistake.MOUSE_FACTOR, 0.0, 1.0, "turns while the mouse rests")
         }
@@ -39,7 +39,11 @@ internal class OrbitPace(
         val honest = if (alone != null && isUnfollowed(alone, wanted)) wanted else worst
         val error = if (expected == null) 0.0 else abs(honest / expected - 1)
         val list = paces.joinToString { it.text() }
-        book.measured(Check.ORBIT_FACTOR, error, "$list rad a pixel" + if (expected == null) "" else ", wanted ${expected.text()}")
+        book.measured(
+            Check.ORBIT_FACTOR,
+            error,
+            "The camera turns by $list rad a pixel" + if (expected == null) "." else "; wanted ${expected.text()}.",
+        )
         if (error > NAMED) book.found(Mistake.MOUSE_FACTOR, 0.0, error, "${honest.text()} rad a pixel")
         return honest
     }
@@ -71,10 +75,10 @@ internal class OrbitPace(
                 }
                 else -> null
             }
-        if (jump == null) return book.measured(Check.ORBIT_START, 0.0, "the first mouse event does not turn the camera")
+        if (jump == null) return book.measured(Check.ORBIT_START, 0.0, "The first mouse event does not turn the camera.")
         val (moment, angle) = jump
         val error = (angle / (pace * first.x)).coerceAtMost(1.0)
-        book.measured(Check.ORBIT_START, error, "the first mouse event turns the camera by ${angle.text()} rad ($moment)")
+        book.measured(Check.ORBIT_START, error, "The first mouse event turns the camera by ${angle.text()} rad; wanted 0.")
         book.found(Mistake.MOUSE_JUMP, reason(turn.angle / pace, first), error, "${(angle / pace).text()} pixels' worth at $moment")
     }
 

@@ -13,6 +13,7 @@ internal class OrderJudge(
     private val timeline: Timeline,
     private val roles: LightRoles,
     private val events: List<CapturedEvent>,
+    private val drawn: Set<Moment>,
     private val book: Notebook,
 ) {
     private val cast = timeline.cast
@@ -25,12 +26,16 @@ internal class OrderJudge(
     fun judge() {
         val first = timeline.frame(Moment.FIRST)
         val second = timeline.frame(Moment.SECOND)
-        if (first == null || second == null) return book.measured(Check.ORDER, null, "the first two frames are not both there")
-        firstAgainstSecond(first, second)
+        when {
+            first != null && second != null -> firstAgainstSecond(first, second)
+            // What is drawn without a matrix is nowhere.
+            second != null && Moment.FIRST in drawn -> evidence += "the first frame lacks a matrix"
+            else -> return book.measured(Check.ORDER, null, "The first two frames are not both there.")
+        }
         timeline.frames.firstNotNullOfOrNull(::insideFrame)?.let(evidence::add)
         lights.filter { it.placed.late }.forEach { evidence += "${it.name} is where it was a frame before" }
-        if (evidence.isEmpty()) return book.measured(Check.ORDER, 0.0, "the first frame shows what the second does")
-        book.measured(Check.ORDER, 1.0, evidence.take(MOST_TEXTS).joinToString("; "))
+        if (evidence.isEmpty()) return book.measured(Check.ORDER, 0.0, "The first frame shows what the second does.")
+        book.measured(Check.ORDER, 1.0, evidence.take(MOST_TEXTS).joinToString("; ", "Too late: ", "."))
         val early = events.any { it.kind == EventKind.UNIFORM_WITHOUT_PROGRAM && it.frame <= 0 }
         book.found(if (early) Mistake.UNIFORM_BEFORE_USE else Mistake.LIGHTS_AFTER_DRAWS, 0.0, 1.0, evidence.first())
     }

@@ -15,7 +15,7 @@ internal class PositionJudge(
 
     fun judge() {
         if (roles.own == null && lights.isEmpty()) return
-        if (roles.own != null) book.measured(Check.POINT_LIGHT_POSITION, 0.0, "where the lights are agrees with the view")
+        if (roles.own != null) book.measured(Check.POINT_LIGHT_POSITION, 0.0, "The lights' places agree with the view.")
         scaledView()
         overwritten()
         if (!book.has(Mistake.LIGHT_POSITION_OVERWRITTEN)) {
@@ -31,10 +31,10 @@ internal class PositionJudge(
             val factor = shot.view.scale()
             val scale = shot.motorcycle.scale()
             val cause = if (abs(factor * scale - 1) < RIGID) ": the motorcycle's scale of ${scale.text()} undone" else ""
-            book.spoilt(Check.POINT_LIGHT_POSITION, error, "the view matrix stretches lengths by ${factor.text()}$cause")
+            book.spoilt(Check.POINT_LIGHT_POSITION, error, "The view matrix stretches lengths by ${factor.text()}; wanted 1$cause.")
             book.found(Mistake.VIEW_SCALED, unevenness(shot.view), error, "view matrix, factor ${factor.text()}")
         } else if (roles.own != null) {
-            book.spoilt(Check.POINT_LIGHT_POSITION, error, "the view matrix is rigid")
+            book.spoilt(Check.POINT_LIGHT_POSITION, error, "The lights' places agree with the view, which keeps lengths.")
         }
     }
 
@@ -42,31 +42,31 @@ internal class PositionJudge(
         val placed = light.placed
         val place = placed.place
         if (place == Place.SCALED_CHILD || place == Place.SCALED_STATIC) {
-            book.spoilt(Check.POINT_LIGHT_POSITION, placed.wrong, "${light.name}: ${place.text}")
+            book.spoilt(Check.POINT_LIGHT_POSITION, placed.wrong, "${light.name}: ${place.text}; wanted: view · world position.")
             book.found(Mistake.VIEW_SCALED, placed.fit, placed.wrong, light.name)
         } else if (place == null && light in roles.further) {
             // A light that flies about by itself is allowed.
             book.note("${light.name} neither stays nor moves with the motorcycle.")
         } else if (place == null) {
-            book.spoilt(Check.POINT_LIGHT_POSITION, placed.wrong, "${light.name} is neither fixed in the world nor to the motorcycle")
+            book.spoilt(Check.POINT_LIGHT_POSITION, placed.wrong, "${light.name} is neither fixed in the world nor to the motorcycle.")
         } else if (place == Place.CONSTANT && placed.point != null && placed.point.length() < AT_CAMERA) {
             neverSent(light)
         } else if (!place.right) {
-            book.spoilt(Check.POINT_LIGHT_POSITION, placed.wrong, "${light.name}: ${place.text}")
+            book.spoilt(Check.POINT_LIGHT_POSITION, placed.wrong, "${light.name}: ${place.text}; wanted: view · world position.")
             // Fixed to the camera, while others went through the view: it may also be the camera's child.
             val isCameraChild = place == Place.CONSTANT && lights.any { it.placed.place == Place.STATIC } && light.isRider()
             val other = if (light.isSpot) Mistake.SPOT_NOT_CHILD else Mistake.LIGHT_NOT_CHILD
             book.found(Mistake.TO_LIGHT_WORLD, placed.fit, placed.wrong, light.name, if (isCameraChild) listOf(other) else emptyList())
         } else {
-            book.spoilt(Check.POINT_LIGHT_POSITION, placed.fit, "${light.name} ${place.text}")
+            book.spoilt(Check.POINT_LIGHT_POSITION, placed.fit, "${light.name}: ${place.text}.")
         }
     }
 
     private fun LightTrack.isRider() = this === roles.own || this === roles.spot
 
     private fun neverSent(light: LightTrack) {
-        book.spoilt(Check.POINT_LIGHT_POSITION, 1.0, "${light.name} is at the camera in every frame: no position arrives")
-        book.missing += "the position of ${light.name}"
+        book.spoilt(Check.POINT_LIGHT_POSITION, 1.0, "${light.name} is at the camera in every frame: no position arrives.")
+        book.lacks("the position of ${light.name}", setOf(Check.POINT_LIGHT_POSITION), setOf(Mistake.TO_LIGHT_WORLD))
         book.found(Mistake.TO_LIGHT_WORLD, 0.0, 1.0, light.name)
     }
 
@@ -79,7 +79,7 @@ internal class PositionJudge(
         if (state.position.length() < AT_CAMERA) {
             neverSent(light)
         } else if (state.position.length() < BESIDE * toMotorcycle) {
-            val text = "${light.name} is beside the camera at ${state.position.text()} in every frame: these are not view-space numbers"
+            val text = "${light.name} is beside the camera at ${state.position.text()} in every frame: these are not numbers of view space."
             book.spoilt(Check.POINT_LIGHT_POSITION, 1.0, text)
             book.found(Mistake.TO_LIGHT_WORLD, light.placed.fit, 1.0, light.name)
         }
@@ -90,7 +90,7 @@ internal class PositionJudge(
             val same = lights.drop(i + 1).filter { together(lights[i], it) }
             if (same.isEmpty()) continue
             val names = (same + lights[i]).joinToString(" and ") { it.name }
-            book.spoilt(Check.POINT_LIGHT_POSITION, 1.0, "$names are at the same place in every frame")
+            book.spoilt(Check.POINT_LIGHT_POSITION, 1.0, "$names are at the same place in every frame; wanted: each at its own.")
             book.found(Mistake.LIGHT_POSITION_OVERWRITTEN, 0.0, 1.0, names)
             listOf(Mistake.LIGHT_NOT_CHILD, Mistake.SPOT_NOT_CHILD).forEach { if (book.has(it)) excuse(it, names) }
             return
@@ -103,7 +103,7 @@ internal class PositionJudge(
         names: String,
     ) {
         book.remove(mistake)
-        book.measured(mistake.check, 0.0, "$names share a position: costs there")
+        book.measured(mistake.check, 0.0, "$names share a position: that costs there.")
     }
 
     private fun together(

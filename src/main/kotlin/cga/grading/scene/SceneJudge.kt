@@ -1,9 +1,25 @@
 package cga.grading.scene
 
 import cga.grading.capture.CapturedEvent
+import cga.grading.capture.EventKind
 import cga.grading.capture.Moment
 import cga.grading.findings.Check
 import cga.grading.findings.Mistake
+
+/**
+ * What is known of a submission's programs beside what they draw.
+ *
+ * @param unset active uniforms, samplers apart, that are 0 in every draw; null where nobody looked.
+ * @param words the identifiers in the sources of the shaders: a name among them is spelt right, even if the compiler dropped it.
+ * @param drawn the moments at which anything was drawn at all.
+ * @param isReplaced whether all that is drawn is drawn by stand-ins for shaders that the driver refused.
+ */
+public class ProgramFacts(
+    public val unset: Set<String>? = null,
+    public val words: Set<String> = emptySet(),
+    public val drawn: Set<Moment> = emptySet(),
+    public val isReplaced: Boolean = false,
+)
 
 /**
  * Judges what a scene does over the frames of the script: whether lights ride along, what the mouse does, what time does.
@@ -38,32 +54,45 @@ public object SceneJudge {
      * The verdict on [frames].
      *
      * @param uniforms active uniforms of the programs, for telling what a misspelt name was meant to be; may be left out.
+     * @param program what else is known of the programs.
      */
     public fun judge(
         frames: List<ObservedFrame>,
         events: List<CapturedEvent>,
         profile: SceneProfile = SceneProfile.SHEET,
         uniforms: Set<String> = emptySet(),
+        program: ProgramFacts = ProgramFacts(),
     ): SceneVerdict {
         val book = Notebook()
+        val eventJudge = EventJudge(events, uniforms, program, book)
         val settled = GroundSpace.settle(frames)
         val timeline = Timeline(settled, Casting(settled).cast())
-        if (timeline.laterShots.isEmpty()) return nothing(book, frames)
+        if (timeline.laterShots.isEmpty()) nothing(book, frames) else judge(timeline, events, profile, program, book)
+        eventJudge.judge()
+        return book.verdict()
+    }
+
+    private fun judge(
+        timeline: Timeline,
+        events: List<CapturedEvent>,
+        profile: SceneProfile,
+        program: ProgramFacts,
+        book: Notebook,
+    ) {
         if (!timeline.cast.driven && timeline.frame(Moment.DRIVEN) != null) {
             book.note("The motorcycle cannot be driven with W, A, S and D: what it is was guessed.")
         }
         val roles = LightRoles.of(timeline)
+        book.unlit = roles.unlit
         LightJudge(timeline, roles, book).judge()
         PositionJudge(timeline, roles, book).judge()
         DirectionJudge(timeline, roles, book).judge()
         cone(roles, book)
         AttenuationJudge(roles, profile, book).judge()
-        ColorJudge(timeline, roles, book).judge()
+        ColorJudge(timeline, roles, events.any { it.kind == EventKind.UNIFORM_ABSENT }, book).judge()
         OrbitJudge(timeline, profile, book).judge()
         MoreLightsJudge(timeline, roles, book).judge()
-        OrderJudge(timeline, roles, events, book).judge()
-        EventJudge(events, uniforms, book).judge()
-        return book.verdict()
+        OrderJudge(timeline, roles, events, program.drawn, book).judge()
     }
 
     private fun cone(
@@ -76,19 +105,24 @@ public object SceneJudge {
         book.measured(Check.CONE, measured.error, measured.text)
         if (found != null) book.found(found.mistake, found.fit, found.difference, found.where, found.alternatives)
         // The overload of bind that knows no cone sends no direction either.
-        if (found?.mistake == Mistake.CONE_NEVER_SENT && book.missing.any { it.startsWith("the direction") }) {
-            book.measured(Check.SPOT_DIRECTION, 0.0, "neither the cone nor the direction arrives: costs at the cone")
+        if (found?.mistake == Mistake.CONE_NEVER_SENT) {
+            if (book.missing.any { it.startsWith("the direction") }) {
+                book.measured(Check.SPOT_DIRECTION, 0.0, "Neither the cone nor the direction arrives: that costs at the cone.")
+            }
+            book.lacks(
+                "the cone of ${spot.name}",
+                setOf(Check.CONE, Check.SPOT_DIRECTION, Check.CONE_SPECULAR),
+                setOf(Mistake.CONE_NEVER_SENT),
+            )
         }
-        if (cone.innerAngle.isNaN() || cone.outerAngle.isNaN()) book.missing += "the cone of ${spot.name}"
     }
 
     private fun nothing(
         book: Notebook,
         frames: List<ObservedFrame>,
-    ): SceneVerdict {
-        val text = if (frames.isEmpty()) "there are no frames" else "no frame has a motorcycle and a view to see it with"
+    ) {
+        val text = if (frames.isEmpty()) "No frame is understood." else "No frame has a motorcycle and a view to see it with."
         CHECKS.forEach { book.measured(it, null, text) }
-        book.note("Nothing of the scene could be judged: $text.")
-        return book.verdict()
+        book.note("Nothing of the scene could be judged. $text")
     }
 }

@@ -11,11 +11,16 @@ import cga.grading.findings.Mistake
  * @param checks at most one entry for a check; [SceneJudge.CHECKS] says which.
  * @param mistakes most telling first.
  * @param notes what else a grader should know.
+ * @param unlit names of the lights that give no light in any frame: whatever is said of their shading is said of nothing. Among them are all
+ * uniforms that are 0 for ever, and those that the sources declare and no program has: the compiler drops what nothing is made of.
+ * @param isReplaced whether shaders that the driver refused were replaced by stand-ins, so that no shading can be seen.
  */
 public class SceneVerdict(
     public val checks: List<Measured>,
     public val mistakes: List<Found>,
     public val notes: List<String>,
+    public val unlit: Set<String> = emptySet(),
+    public val isReplaced: Boolean = false,
 ) {
     /** The entry for [check], or null. */
     public operator fun get(check: Check): Measured? = checks.find { it.check == check }
@@ -30,8 +35,22 @@ internal class Notebook {
     private val mistakes = ArrayList<Found>()
     private val notes = LinkedHashSet<String>()
 
-    /** What of the scene is not there at all and might be explained by an event: `the point light`. */
-    val missing = LinkedHashSet<String>()
+    private val lacks = ArrayList<Lack>()
+
+    /** Names of the lights that never give light. */
+    var unlit: Set<String> = emptySet()
+
+    /** Whether stand-ins took the place of shaders. */
+    var isReplaced: Boolean = false
+
+    /** What of the scene is not there at all and might be explained by an event. */
+    val missing: List<String> get() = lacks.map { it.text }
+
+    private class Lack(
+        val text: String,
+        val checks: Set<Check>,
+        val mistakes: Set<Mistake>,
+    )
 
     /** Puts the measurement of [check] down; a second one of the same check replaces the first. */
     fun measured(
@@ -40,6 +59,50 @@ internal class Notebook {
         text: String,
     ) {
         checks[check] = Measured(check, error?.let(::bounded), text)
+    }
+
+    /** Puts [check] down as something that the submission does not have. */
+    fun absent(
+        check: Check,
+        text: String,
+    ) {
+        checks[check] = Measured(check, 1.0, text, found = false)
+    }
+
+    /**
+     * Notes that something is not there.
+     *
+     * @param text what, as in "the point light".
+     * @param checks that cannot be right without it.
+     * @param mistakes that say no more than that it is not there.
+     */
+    fun lacks(
+        text: String,
+        checks: Set<Check>,
+        mistakes: Set<Mistake>,
+    ) {
+        if (text !in missing) lacks += Lack(text, checks, mistakes)
+    }
+
+    /** Names [cause] as the reason for all that is lacking: that has no names of its own any more and costs nothing. */
+    fun explained(
+        cause: Mistake,
+        where: String,
+        alternatives: List<Mistake> = emptyList(),
+    ) {
+        lacks.flatMap { it.mistakes }.forEach(::remove)
+        mistakes += Found(cause, 0.0, 1.0, where, alternatives, lacks.flatMap { it.checks }.toSet())
+        if (lacks.isNotEmpty()) note("Missing because of that: ${missing.joinToString()}.")
+    }
+
+    /** Takes back everything about [all], and every mistake that does not belong to the checks [but]. */
+    fun unmeasured(
+        all: Collection<Check>,
+        but: Set<Check>,
+        text: String,
+    ) {
+        all.forEach { measured(it, null, text) }
+        mistakes.removeIf { it.mistake.check !in but }
     }
 
     /** Puts [check] down as spoilt, where nothing worse is known of it. */
@@ -61,8 +124,9 @@ internal class Notebook {
         difference: Double,
         where: String,
         alternatives: List<Mistake> = emptyList(),
+        explains: Set<Check>? = null,
     ) {
-        mistakes += Found(mistake, bounded(fit), bounded(difference), where, alternatives)
+        mistakes += Found(mistake, bounded(fit), bounded(difference), where, alternatives, explains)
     }
 
     fun has(mistake: Mistake): Boolean = mistakes.any { it.mistake == mistake }
@@ -77,14 +141,15 @@ internal class Notebook {
 
     fun verdict(): SceneVerdict {
         val merged = mistakes.groupBy { it.mistake }.values.map(::merged)
-        return SceneVerdict(checks.values.toList(), merged.sortedBy { rank(it.mistake) }, notes.toList())
+        return SceneVerdict(checks.values.toList(), merged.sortedBy { rank(it.mistake) }, notes.toList(), unlit, isReplaced)
     }
 
     /** The same mistake on several lights is one. */
     private fun merged(same: List<Found>): Found {
         val where = same.map { it.where }.distinct().joinToString()
         val alternatives = same.flatMap { it.alternatives }.distinct()
-        return Found(same.first().mistake, same.maxOf { it.fit }, same.maxOf { it.difference }, where, alternatives)
+        val explains = same.mapNotNull { it.explains }.flatten().toSet().takeIf { same.any { it.explains != null } }
+        return Found(same.first().mistake, same.maxOf { it.fit }, same.maxOf { it.difference }, where, alternatives, explains)
     }
 
     // What explains much comes first: a uniform that never arrives before a light that is missing because of it.
@@ -95,6 +160,7 @@ internal class Notebook {
     private companion object {
         val TELLING =
             listOf(
+                Mistake.GLSL_DRIVER,
                 Mistake.UNIFORM_BEFORE_USE,
                 Mistake.UNIFORM_ABSENT,
                 Mistake.LIGHTS_AFTER_DRAWS,

@@ -2,6 +2,16 @@ package cga.grading.study
 
 import org.joml.Vector3d
 import org.joml.Vector3dc
+import kotlin.math.PI
+
+/** The term by which a light is measured, and so the normals for which a point is brightest and dark. */
+internal enum class Peak {
+    DIFFUSE,
+
+    /** Diffuse light that sides facing away receive as well. */
+    TWO_SIDED,
+    SPECULAR,
+}
 
 /**
  * How strongly a placed light arrives at points, whatever the normal there: I·F of the lighting model.
@@ -13,14 +23,16 @@ internal class Amplitudes(
     val placement: Placement,
     private val texels: Map<String, Double>,
     val unclamped: Boolean,
+    private val peak: Peak = Peak.DIFFUSE,
 ) {
     /** I·F at [points] in view space. */
     fun at(points: List<Vector3dc>): DoubleArray {
         val samples =
             points.flatMap { p ->
-                val n = placement.normalFor(placement.toLight(p).normalize())
-                if (placement.isFlipped) n.negate()
-                listOf(Sample(p, n), Sample(p, Vector3d(n).negate()))
+                val towards = towards(placement, p, peak)
+                if (placement.isFlipped) towards.negate()
+                val dark = if (peak == Peak.DIFFUSE) Vector3d(towards).negate() else Directions.around(towards, PI / 2, 0.3)
+                listOf(towards, dark).map { Sample(p, placement.normalFor(it)) }
             }
         val shades = probe.shade(samples, texels)
         val range = if (unclamped) 2.0 else 1.0
@@ -32,4 +44,16 @@ internal class Amplitudes(
         directions: List<Vector3dc>,
         d: Double,
     ): DoubleArray = at(directions.map { placement.at(Vector3d(it).mul(d)) })
+
+    companion object {
+        /** The normal for which the term [peak] is largest at [p], in the space of [placement]: to the light, or half way to the eye. */
+        fun towards(
+            placement: Placement,
+            p: Vector3dc,
+            peak: Peak,
+        ): Vector3d {
+            val l = placement.toLight(p).normalize()
+            return if (peak == Peak.SPECULAR) l.add(placement.toCamera(p).normalize()).normalize() else l
+        }
+    }
 }

@@ -89,12 +89,15 @@ internal class ColorSlots(
             val once = box.shade(samples, base.withColor(slot, 0.5, 0.75, 0.625))
             val effect = DoubleArray(none.size) { once[it] - none[it] }
             // Each sample is judged by what it shows itself: highlights may be 1e18 times brighter than all else.
-            val seen = none.indices.filter { abs(effect[it]) > NOTHING * max(abs(none[it]), abs(once[it])) && effect[it].isFinite() }
+            val seen = none.indices.filter {
+                abs(effect[it]) > noise(box) * NOTHING * max(abs(none[it]), abs(once[it])) &&
+                    effect[it].isFinite()
+            }
             if (seen.isEmpty()) return Look(slot, isSilent = true)
             val twice = box.shade(samples, base.withColor(slot, 1.0, 1.5, 1.25))
             val red = box.shade(samples, base.withColor(slot, 0.5, 0.0, 0.0))
 
-            fun allowed(i: Int) = AFFINE * abs(effect[i]) + FLOAT * (abs(none[i]) + abs(twice[i])) + TINY
+            fun allowed(i: Int) = AFFINE * abs(effect[i]) + noise(box) * FLOAT * (abs(none[i]) + abs(twice[i])) + TINY
             val finite = none.indices.filter { effect[it].isFinite() }
             if (finite.any { abs(twice[it] - none[it] - 2 * effect[it]) > allowed(it) }) return Look(slot)
             if (finite.any { abs(red[it] - none[it] - if (it % 3 == 0) effect[it] else 0.0) > allowed(it) }) return Look(slot)
@@ -127,7 +130,7 @@ internal class ColorSlots(
             val aloneWith = box.shade(samples, dark.withColors(listOf(slot), 1.0))
             return with.indices.all {
                 val effect = with[it] - without[it]
-                !(abs(effect - (aloneWith[it] - aloneWithout[it])) > AFFINE * abs(effect) + FLOAT * abs(with[it]) + TINY)
+                !(abs(effect - (aloneWith[it] - aloneWithout[it])) > AFFINE * abs(effect) + noise(box) * FLOAT * abs(with[it]) + TINY)
             }
         }
 
@@ -137,9 +140,14 @@ internal class ColorSlots(
             dark: Setting,
             a: ActiveUniform,
             b: ActiveUniform,
-        ): Boolean =
-            box.shade(samples, dark.withColors(listOf(a, b), 1.0)).largest() >
-                2 * box.shade(samples, dark.withColors(listOf(a), 1.0)).largest()
+        ): Boolean {
+            fun shown(vararg slots: ActiveUniform) = box.shade(samples, dark.withColors(slots.toList(), 1.0)).largest()
+            // Of a product nothing is seen without both; of a sum no more than each adds.
+            return shown(a, b) > 2 * (shown(a) + shown(b))
+        }
+
+        /** How much more is rounded where a gamma is undone: two powers, the driver's good to some 1e-5. */
+        private fun noise(box: BlackBox): Double = if (box.exponent == 1.0) 1.0 else 30.0
 
         private val VECTORS = setOf(org.lwjgl.opengl.GL33C.GL_FLOAT_VEC3, org.lwjgl.opengl.GL33C.GL_FLOAT_VEC4)
         private val MATERIAL_NAME = Regex("mat|diff|spec|albedo|surface", RegexOption.IGNORE_CASE)

@@ -1,5 +1,6 @@
 package cga.grading.study
 
+import cga.grading.findings.Check
 import cga.grading.findings.Mistake
 import kotlin.math.PI
 
@@ -29,7 +30,9 @@ internal object ConeDeviations {
             cone.falloff == Falloff.UNCLAMPED -> found(Mistake.CONE_CLAMP_MISSING)
             cone.falloff == Falloff.UNCLAMPED_ABOVE && !startsAtAxis(light, numbers) -> found(Mistake.CONE_CLAMP_MISSING)
             isInverted -> found(Mistake.CONE_INSIDE_OUT)
-            cone.falloff == Falloff.SMOOTH || cone.falloff == Falloff.OTHER -> found(Mistake.UNKNOWN, cone.error)
+            cone.falloff == Falloff.SMOOTH || cone.falloff == Falloff.OTHER -> listOf(
+                Deviation(Mistake.UNKNOWN, light.name, 1.0, cone.error, check = Check.CONE),
+            )
             else -> emptyList()
         }
     }

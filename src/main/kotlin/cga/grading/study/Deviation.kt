@@ -1,5 +1,6 @@
 package cga.grading.study
 
+import cga.grading.findings.Check
 import cga.grading.findings.Mistake
 
 /**
@@ -8,6 +9,7 @@ import cga.grading.findings.Mistake
  * @param light the submission's name of the light's colour; empty where it concerns no light.
  * @param fit what the hypothesis leaves unexplained, relative; 0 is all explained.
  * @param difference how far this is from right, relative: 1 is all of it.
+ * @param check what it costs; of something unknown where it was seen.
  */
 internal class Deviation(
     val mistake: Mistake,
@@ -15,4 +17,5 @@ internal class Deviation(
     val fit: Double,
     val difference: Double,
     val alternatives: List<Mistake> = emptyList(),
+    val check: Check = mistake.check,
 )

@@ -43,8 +43,25 @@ internal class GeometryFormula(
             val clip = rig.clip(program, feed, generic)
             // As the shader sees them: rounded to floats.
             points.forEach { it.set(it.x.toFloat().toDouble(), it.y.toFloat().toDouble(), it.z.toFloat().toDouble(), 1.0) }
-            val product = products(matrices).firstOrNull { agrees(product(it, generic), points, clip) }
+            val product =
+                products(matrices).firstOrNull { agrees(product(it, generic), points, clip) }
+                    ?: affineProduct(rig, program, matrices, values, feed, points)
             return GeometryFormula(location, product ?: emptyList())
+        }
+
+        /** The same where a fourth coordinate is replaced by 1 on the way: matrices that leave it at 1 do not notice. */
+        private fun affineProduct(
+            rig: ProbeRig,
+            program: ProbeProgram,
+            matrices: List<String>,
+            values: Map<String, FloatArray>,
+            feed: Feed,
+            points: List<Vector4d>,
+        ): List<String>? {
+            val random = Random(15)
+            val affine = values + matrices.associateWith { affine(random) }
+            val clip = rig.clip(program, feed, affine)
+            return products(matrices).firstOrNull { agrees(product(it, affine), points, clip) }
         }
 
         /** The product of the matrices called [names], left to right. */
@@ -52,6 +69,17 @@ internal class GeometryFormula(
             names: List<String>,
             values: Map<String, FloatArray>,
         ): Matrix4d = names.fold(Matrix4d()) { all, name -> all.mul(matrix(values.getValue(name))) }
+
+        private fun affine(random: Random) =
+            FloatArray(16) { i ->
+                if (i == 15) {
+                    1f
+                } else if (i % 4 == 3) {
+                    0f
+                } else {
+                    random.nextDouble(-1.0, 1.0).toFloat()
+                }
+            }
 
         /** A matrix of OpenGL's column order. */
         fun matrix(numbers: FloatArray): Matrix4d = Matrix4d().set(DoubleArray(16) { numbers[it].toDouble() })

@@ -1,5 +1,6 @@
 package cga.grading.study
 
+import cga.grading.findings.Check
 import cga.grading.findings.Mistake
 
 /** What is wrong with a light's specular term. */
@@ -12,7 +13,7 @@ internal object HighlightDeviations {
         if (study.roles?.specular == null) return emptyList()
         val highlight = light.highlight ?: return listOf(Deviation(Mistake.SPECULAR_MISSING, light.name, 0.0, 1.0))
         val fit = highlight.fit
-        if (fit.error > TOLERATED) return listOf(Deviation(Mistake.UNKNOWN, light.name, fit.error, 1.0))
+        if (fit.error > TOLERATED) return listOf(Deviation(Mistake.UNKNOWN, light.name, fit.error, fit.error, check = Check.SPECULAR))
         val mistakes =
             listOfNotNull(
                 Mistake.VIEW_VECTOR_SIGN.takeIf {
@@ -23,9 +24,9 @@ internal object HighlightDeviations {
                 Mistake.PHONG_LEFT.takeIf { fit.lobe == Lobe.PHONG },
                 Mistake.HALF_VECTOR_NOT_NORMALIZED.takeIf { fit.lobe == Lobe.BLINN_LONG || fit.lobe == Lobe.BLINN_RAW },
                 Mistake.SPECULAR_CLAMP_MISSING.takeIf { fit.unclamped },
-                Mistake.EXPONENT_FIXED.takeIf { highlight.exponentSlot == null },
+                Mistake.EXPONENT_FIXED.takeIf { highlight.exponentSlot == null || fit.exponent < NO_EXPONENT },
             ) + if (light.otherDirection) emptyList() else limits(light, highlight.limits)
-        return mistakes.map { Deviation(it, light.name, fit.error, 1.0) }
+        return mistakes.map { Deviation(it, light.name, fit.error, 1.0, check = if (it == Mistake.UNKNOWN) Check.SPECULAR else it.check) }
     }
 
     /** With the light in one space and the normals in another the eye may be right in either: that is one mistake, and named already. */
@@ -48,6 +49,8 @@ internal object HighlightDeviations {
         }
     }
 
+    // An exponent that was never sent is 0.
+    private const val NO_EXPONENT = 1e-3
     private const val TOLERATED = 0.01
     private const val UNLIMITED = 0.1
 }

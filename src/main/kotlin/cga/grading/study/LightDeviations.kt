@@ -1,6 +1,8 @@
 package cga.grading.study
 
+import cga.grading.findings.Check
 import cga.grading.findings.Mistake
+import kotlin.math.abs
 
 /** What is wrong with the shading of a light, beside its cone. */
 internal object LightDeviations {
@@ -32,6 +34,7 @@ internal object LightDeviations {
                 placement.error,
             )
         }
+        if (RefFinder(light.probe.slot.name, study).turnedOnly(placement.view) != null) add(Mistake.TO_LIGHT_WORLD, placement.error)
         if (placement.isFlipped) add(Mistake.LIGHT_VECTOR_SIGN, light.cosineError)
         if (light.unclamped) add(Mistake.CLAMP_MISSING, light.cosineError)
         if (light.cosineError > TOLERATED) add(Mistake.UNKNOWN, light.cosineError, light.cosineError)
@@ -47,7 +50,10 @@ internal object LightDeviations {
                 ),
             )
         }
-        attenuation(light, early)?.let { (mistake, fit) -> add(mistake, fit) }
+        attenuation(light)?.let { (mistake, fit) ->
+            found +=
+                Deviation(mistake, light.name, fit, 1.0, check = attenuationCheck(light, mistake))
+        }
         return found + HighlightDeviations.of(light, study)
     }
 
@@ -65,23 +71,29 @@ internal object LightDeviations {
     /** Whether vectors are bent between the corners of triangles. */
     fun isNormalizedEarly(light: LightModel): Boolean = vectorDifference(light) > INTERPOLATED
 
+    /** Whether nothing is left of the distance because the vector was normalised too early: then its length is 1, which is one defect and not two. */
+    fun isAtLengthOne(light: LightModel): Boolean =
+        light.attenuation?.let { it.isConstant && abs(it.k.x() - 1) > 1e-3 } == true && isNormalizedEarly(light)
+
     private fun vectorDifference(light: LightModel): Double =
         maxOf(light.diffuseInterpolation?.vectors ?: 0.0, light.specularInterpolation?.vectors ?: 0.0)
 
     private fun hasLongNormals(light: LightModel): Boolean =
-        kotlin.math.abs(light.normalLength - 1) > 0.02 || (light.diffuseInterpolation?.normals ?: 0.0) > INTERPOLATED
+        abs(light.normalLength - 1) > 0.02 || (light.diffuseInterpolation?.normals ?: 0.0) > INTERPOLATED
 
-    private fun attenuation(
+    private fun attenuationCheck(
         light: LightModel,
-        early: Boolean,
-    ): Pair<Mistake, Double>? {
+        mistake: Mistake,
+    ) = if (mistake == Mistake.UNKNOWN && !light.isFromEye) Check.ATTENUATION_FORM else mistake.check
+
+    private fun attenuation(light: LightModel): Pair<Mistake, Double>? {
         val fit = light.attenuation ?: return null
         return when {
+            light.otherDirection && light.isFromEye -> Mistake.UNKNOWN to fit.error
             light.otherDirection -> Mistake.LATER_LIGHTS_FIRST_COSINE to fit.error
             fit.error > AttenuationFit.ACCEPTED -> Mistake.UNKNOWN to fit.error
             fit.growing -> Mistake.TO_LIGHT_NOT_NORMALIZED to fit.error
-            // The length of a vector that was normalised too early is 1 everywhere: that is one defect, not two.
-            fit.isConstant && early && fit.k.x() != 1.0 -> null
+            isAtLengthOne(light) -> null
             fit.isConstant -> Mistake.ATTENUATION_MISSING to fit.error
             fit.isLinear -> Mistake.ATTENUATION_LINEAR to fit.error
             else -> null

@@ -11,6 +11,8 @@ import org.joml.Vector3dc
  * @param cosineError what a clamped cosine leaves of the diffuse term, relative.
  * @param otherDirection whether its distances are measured from elsewhere than its directions.
  * @param shared the lights that take this one's colour, if there is more than one.
+ * @param isFromEye whether the diffuse cosine is that with the direction to the eye.
+ * @param guess where it may be in view space, if it could not be placed.
  * @param floor how much of the light arrives whatever the normal, relative to its strength: ambient light of its own.
  */
 internal class LightModel(
@@ -27,8 +29,19 @@ internal class LightModel(
     val specularInterpolation: InterpolationTest?,
     val otherDirection: Boolean = false,
     val shared: List<SharedLight> = emptyList(),
+    val guess: Vector3dc? = null,
+    val isFromEye: Boolean = false,
 ) {
     val name: String get() = probe.slot.text
+
+    companion object {
+        /** A light that could not be placed as one: several that have its colour, or one that may be at [guess] in view space. */
+        fun unplaced(
+            probe: LightProbe,
+            shared: List<SharedLight>,
+            guess: Vector3dc?,
+        ): LightModel = LightModel(probe, null, false, 1.0, 1.0, 0.0, null, null, null, null, null, shared = shared, guess = guess)
+    }
 }
 
 /** One of several lights of a common colour. */

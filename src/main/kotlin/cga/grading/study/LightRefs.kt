@@ -107,11 +107,27 @@ internal class LightRefs(
                     LightRefs("${light.name} (${i + 1})", light.probe.slot.name, scale, finder.position(Vector3d(shared.view)), k, null)
                 }
             }
-            val placement = light.placement ?: return emptyList()
-            val (k, scale) = finder.attenuation(light.attenuation?.k ?: Vector3d(1.0, 0.0, 0.0))
+            val placement = light.placement ?: return listOfNotNull(light.guess?.let { guessed(light, finder, it) })
+            val law = light.attenuation?.k ?: Vector3d(1.0, 0.0, 0.0)
+            // Vectors that were normalised too early are 1 long everywhere: what is seen is F(1), and that is a defect of its own.
+            val (k, scale) = (if (LightDeviations.isAtLengthOne(light)) finder.sumOf(law.x())?.let { finder.attenuation(it) } else null)
+                ?: finder.attenuation(law)
             val cone = light.cone?.let { finder.cone(it, placement.directionToView(it.axis)) }
             return listOf(LightRefs(light.name, light.probe.slot.name, scale, finder.position(placement.view), k, cone))
         }
+
+        /** All that can be said of a light that is somewhere: nothing of its K. */
+        private fun guessed(
+            light: LightModel,
+            finder: RefFinder,
+            place: Vector3dc,
+        ) = LightRefs(
+            light.name, light.probe.slot.name, 1.0,
+            finder.position(
+                Vector3d(place),
+            ),
+            List(3) { NumberRef(null, 0, Double.NaN) }, null,
+        )
     }
 }
 
@@ -134,6 +150,7 @@ internal class RefFinder(
             val viewed = view?.transformPosition(raw, Vector3d()) ?: continue
             if (viewed.distance(measured) < tolerance) return VectorRef(slot.name, Space.WORLD, 1.0, measured)
         }
+        turnedOnly(measured)?.let { return VectorRef(it.name, Space.WORLD, 1.0, measured) }
         return if (view ==
             null
         ) {
@@ -141,6 +158,25 @@ internal class RefFinder(
         } else {
             VectorRef(null, null, 1.0, view.invert(Matrix4d()).transformPosition(measured))
         }
+    }
+
+    /** The uniform that is at [measured] when it goes through the view matrix as a direction; null where one is there as a point. */
+    fun turnedOnly(measured: Vector3dc): ActiveUniform? {
+        val matrix = view ?: return null
+        val tolerance = 1e-3 * (1 + measured.length())
+        val (found, isPoint) =
+            vectors()
+                .partition { (_, raw) ->
+                    raw.length() > tolerance &&
+                        matrix.transformDirection(raw, Vector3d()).distance(measured) < tolerance
+                }.let { (turned, others) ->
+                    turned to
+                        vectors().any { (_, raw) ->
+                            raw.distance(measured) < tolerance ||
+                                matrix.transformPosition(raw, Vector3d()).distance(measured) < tolerance
+                        }
+                }
+        return if (isPoint) null else found.firstOrNull()?.first
     }
 
     fun cone(
@@ -182,6 +218,15 @@ internal class RefFinder(
                 ?: 1.0
         return List(3) { number(explained * k[it]) } to explained
     }
+
+    /** The K among what was sent, or in Table 1, that adds up to [total]: 1/F at the distance 1. */
+    fun sumOf(total: Double): Vector3dc? =
+        (vectors().map { it.second } + TABLE.map { Vector3d(it[0], it[1], it[2]) }).firstOrNull {
+            isNear(it.x + it.y + it.z, total) &&
+                it.x >= 0 &&
+                it.y >= 0 &&
+                it.z >= 0
+        }
 
     private fun direction(axis: Vector3dc): VectorRef {
         for ((slot, raw) in vectors()) {

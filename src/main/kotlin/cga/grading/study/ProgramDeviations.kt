@@ -6,22 +6,19 @@ import cga.grading.findings.Mistake
 /** All that is wrong with what a program computes. */
 internal object ProgramDeviations {
     /** The mistakes found, each once with all the lights that have it; the first explain most. */
-    fun of(study: ProgramStudy): List<Found> {
-        val numbers = study.box.values.filterKeys { name ->
-            study.box.program.uniforms.any {
-                it.name == name && it.components <= 4 &&
-                    !it.isSampler
-            }
-        }
-        val sent = numbers.values.flatMap { it.toList() }.map { it.toDouble() }
-        val all =
-            study.lights.flatMap { LightDeviations.of(it, study) + cone(it, study, sent) } + silent(study) + material(study) +
-                emission(study) +
-                view(study)
-        return all.groupBy { it.mistake }.map { (mistake, same) ->
+    fun of(study: ProgramStudy): List<Found> =
+        all(study).groupBy { it.mistake }.map { (mistake, same) ->
             val where = same.map { it.light }.filter { it.isNotEmpty() }.distinct().joinToString(", ")
             Found(mistake, same.maxOf { it.fit }, same.maxOf { it.difference }, where, same.first().alternatives)
         }
+
+    /** What is wrong and has no name. */
+    fun unnamed(study: ProgramStudy): List<Deviation> = all(study).filter { it.mistake == Mistake.UNKNOWN }
+
+    private fun all(study: ProgramStudy): List<Deviation> {
+        val sent = study.numbersSent() + study.box.program.constants.values.flatMap { it.toList() }.map { it.toDouble() }
+        val ofLights = study.shining.flatMap { LightDeviations.of(it, study) + cone(it, study, sent) }
+        return ofLights + silent(study) + material(study) + emission(study) + view(study)
     }
 
     private fun cone(
@@ -29,13 +26,17 @@ internal object ProgramDeviations {
         study: ProgramStudy,
         sent: List<Double>,
     ): List<Deviation> =
-        if (light in study.neverConed ||
-            (study.isAwake && light.cone != null)
-        ) {
+        if (light in study.neverConed || (study.isAwake && isMadeUp(light, sent))) {
             listOf(Deviation(Mistake.CONE_NEVER_SENT, light.name, 0.0, 1.0))
         } else {
             ConeDeviations.of(light, sent)
         }
+
+    /** Whether [light] has a cone of which nothing was sent: it is one of the values that had to be given to see any light. */
+    private fun isMadeUp(
+        light: LightModel,
+        sent: List<Double>,
+    ): Boolean = light.cone?.let { ConeWords.of(it.cosInner, it.cosOuter, sent) == null } == true
 
     /** Spotlights that were given a colour and no cone. */
     private fun silent(study: ProgramStudy): List<Deviation> =
@@ -56,7 +57,7 @@ internal object ProgramDeviations {
         if (isSwapped(roles)) add(Mistake.MAPS_SWAPPED)
         val units = study.box.program.samplers.mapNotNull { study.box.values[it.name]?.firstOrNull() }
         if (units.size != units.distinct().size) add(Mistake.SAMPLER_UNIT)
-        if (study.exponent < 1) add(Mistake.GAMMA_DIRECTION)
+        if (study.exponent < 1 || roles.exponents.any { it < ENCODED }) add(Mistake.GAMMA_DIRECTION)
         return found
     }
 
@@ -87,6 +88,8 @@ internal object ProgramDeviations {
         }
     }
 
+    // A texture is taken as it is (1) or decoded (2.2); what makes it brighter encodes it once more.
+    private const val ENCODED = 0.8
     private val DIFFUSE_NAME = Regex("diff|albedo|base", RegexOption.IGNORE_CASE)
     private val SPECULAR_NAME = Regex("spec|gloss|shin", RegexOption.IGNORE_CASE)
 }

@@ -28,7 +28,21 @@ internal class ProgramStudy(
     val normalsMoved: Boolean,
     val isAwake: Boolean,
     val neverConed: List<LightModel>,
+    private val sent: Map<String, List<FloatArray>> = emptyMap(),
 ) {
+    /** The lights that are not black in all draws: what those would do nobody sees. */
+    val shining: List<LightModel> by lazy { lights.filter(::everShines) }
+
+    private fun everShines(light: LightModel): Boolean =
+        sent[light.probe.slot.name]?.any { value -> value.take(3).any { it != 0f } } ?: true
+
+    /** All numbers of vectors and scalars that were sent with the draw, none made up. */
+    fun numbersSent(): List<Double> =
+        box.program.uniforms
+            .filter { it.components <= 4 && !it.isSampler }
+            .flatMap { (sent[it.name]?.lastOrNull() ?: box.values[it.name] ?: FloatArray(0)).toList() }
+            .map { it.toDouble() }
+
     /** The lights of a program and what its textures do for them. */
     private class Lit(
         val probes: List<LightProbe>,
@@ -90,7 +104,12 @@ internal class ProgramStudy(
                     colors.silent,
                     surface,
                 ),
-                lit !== usual, colors.lights.isNotEmpty() && isAwake(box, decoded), neverConed(decoded, colors, surface, roles, lights),
+                lit !== usual,
+                colors.lights.isNotEmpty() && isAwake(
+                    box,
+                    decoded,
+                ),
+                neverConed(decoded, colors, surface, roles, lights), sentValues(capture, number, draw),
             )
         }
 
@@ -117,6 +136,16 @@ internal class ProgramStudy(
                     ?: threes.firstOrNull { isNormal(DrawVertices(capture, draw), it) }
             }
             return BlackBox(rig, program, formula.positionLocation, normal, others.filter { it != normal }, spaces, values) to formula
+        }
+
+        /** Values of each uniform over all draws of program [number], those of [draw] last. */
+        private fun sentValues(
+            capture: Capture,
+            number: Int,
+            draw: CapturedDraw,
+        ): Map<String, List<FloatArray>> {
+            val draws = capture.frames.flatMap { it.steps }.filterIsInstance<CapturedDraw>().filter { it.program == number }
+            return (draws + draw).flatMap { it.uniforms }.groupBy({ it.name }, { it.numbers })
         }
 
         private fun isNormal(

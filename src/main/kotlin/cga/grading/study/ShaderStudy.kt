@@ -24,6 +24,7 @@ public class ShaderStudy private constructor(
     private val rig: ProbeRig,
     private val programs: List<ProbeProgram>,
     private val observations: Observations,
+    internal val materials: Materials,
     public val mistakes: List<Found>,
     public val checks: List<Measured>,
     public val plots: List<Plot>,
@@ -54,9 +55,19 @@ public class ShaderStudy private constructor(
                     notes += "program $number: ${e.message}"
                 }
             }
-            val mistakes = studies.values.flatMap { ProgramDeviations.of(it) }.distinctBy { it.mistake }
-            val checks = StudyChecks.of(studies.values, mistakes)
-            return ShaderStudy(rig, programs, Observations(capture, studies), mistakes, checks, StudyPlots.of(studies.values), notes)
+            // What stands in for shaders that do not compile is not the submission's.
+            val own = studies.filterKeys { !capture.programs[it].substituted }.values
+            val mistakes = own.flatMap { ProgramDeviations.of(it) }.distinctBy { it.mistake }
+            val unknown = own.flatMap { ProgramDeviations.unnamed(it) }
+            val checks = StudyChecks.of(own, mistakes, unknown)
+            return ShaderStudy(
+                rig, programs,
+                Observations(
+                    capture,
+                    studies,
+                ),
+                Materials(rig, capture, studies), mistakes, checks, StudyPlots.of(own), notes,
+            )
         }
     }
 }

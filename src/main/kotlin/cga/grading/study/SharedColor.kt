@@ -20,12 +20,13 @@ internal object SharedColor {
     ): List<SharedLight> {
         val random = Random(12)
         val places = candidates.filterIndexed { i, c -> candidates.take(i).none { it.distance(c) < 1e-4 } }.take(MOST)
+        if (places.size < 2 || !isSum(probe, points.take(FIRST), places, texels)) return emptyList()
         val around =
             points + places.flatMap { c -> List(AROUND) { Vector3d(Directions.random(random)).mul(random.nextDouble(0.5, 4.0)).add(c) } }
         val normals = around.map { List(NORMALS) { Directions.random(random) } }
         val values = probe.shade(around.indices.flatMap { i -> normals[i].map { Sample(around[i], it) } }, texels)
         val strengths = around.indices.map { i -> strengths(around[i], normals[i], places) { values[NORMALS * i + it] } }
-        val misfit = strengths.sumOf { it.misfit } / max(strengths.sumOf { it.sum }, 1e-300)
+        val misfit = misfit(strengths)
         if (misfit > ACCEPTED) return emptyList()
         val total = strengths.sumOf { it.perPlace.sum() }
         val shining = places.indices.filter { c -> strengths.sumOf { it.perPlace[c] } > 1e-3 * total }
@@ -43,6 +44,21 @@ internal object SharedColor {
             SharedLight(places[c], law)
         }
     }
+
+    /** Whether a look at a few [points] leaves it possible: the whole one takes seconds. */
+    private fun isSum(
+        probe: LightProbe,
+        points: List<Vector3dc>,
+        places: List<Vector3d>,
+        texels: Map<String, Double>,
+    ): Boolean {
+        val random = Random(18)
+        val normals = List(NORMALS) { Directions.random(random) }
+        val values = probe.shade(points.flatMap { p -> normals.map { Sample(p, it) } }, texels)
+        return misfit(points.indices.map { i -> strengths(points[i], normals, places) { values[NORMALS * i + it] } }) <= ACCEPTED
+    }
+
+    private fun misfit(strengths: List<Strengths>) = strengths.sumOf { it.misfit } / max(strengths.sumOf { it.sum }, 1e-300)
 
     private class Strengths(
         val perPlace: DoubleArray,
@@ -63,21 +79,26 @@ internal object SharedColor {
         val rest = DoubleArray(normals.size) { value(it).let { v -> if (v.isFinite()) v else 0.0 } }
         val sum = rest.sumOf { abs(it) }
         val strengths = DoubleArray(places.size)
+        val squares = DoubleArray(places.size) { c -> cosines[c].sumOf { it * it } }
         repeat(ROUNDS) {
+            var change = 0.0
             for (c in places.indices) {
-                val square = cosines[c].sumOf { it * it }
-                if (!(square > 0)) continue
-                val better = max(strengths[c] + rest.indices.sumOf { rest[it] * cosines[c][it] } / square, 0.0)
+                if (!(squares[c] > 0)) continue
+                val better = max(strengths[c] + rest.indices.sumOf { rest[it] * cosines[c][it] } / squares[c], 0.0)
+                change += abs(better - strengths[c])
                 for (i in rest.indices) rest[i] -= (better - strengths[c]) * cosines[c][i]
                 strengths[c] = better
             }
+            if (change <= SETTLED * sum) return Strengths(strengths, rest.sumOf { abs(it) }, sum)
         }
         return Strengths(strengths, rest.sumOf { abs(it) }, sum)
     }
 
+    private const val FIRST = 6
     private const val MOST = 40
     private const val AROUND = 12
     private const val NORMALS = 64
     private const val ROUNDS = 400
+    private const val SETTLED = 1e-8
     private const val ACCEPTED = 1e-2
 }

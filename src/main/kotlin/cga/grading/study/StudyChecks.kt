@@ -3,6 +3,7 @@ package cga.grading.study
 import cga.grading.findings.Check
 import cga.grading.findings.Found
 import cga.grading.findings.Measured
+import cga.grading.findings.Mistake
 
 /** How far shading is from right, check by check. */
 internal object StudyChecks {
@@ -10,8 +11,25 @@ internal object StudyChecks {
     fun of(
         studies: Collection<ProgramStudy>,
         mistakes: List<Found>,
+        unnamed: List<Deviation>,
     ): List<Measured> {
-        val lights = studies.flatMap { it.lights }.filter { it.placement != null }
+        fun measured(
+            check: Check,
+            mistakes: List<Found>,
+            errors: List<Double>,
+            what: String,
+        ) = measured(
+            check,
+            mistakes.filter { it.mistake.check == check && it.mistake != Mistake.UNKNOWN },
+            unnamed.filter {
+                it.check ==
+                    check
+            },
+            errors,
+            what,
+        )
+
+        val lights = studies.flatMap { it.shining }.filter { it.placement != null }
         val spots = lights.filter { it.cone != null }
         return listOf(
             measured(Check.DIFFUSE, mistakes, lights.map { it.cosineError }, "clamped cosine between normal and light"),
@@ -51,17 +69,18 @@ internal object StudyChecks {
         )
     }
 
-    /** The worst of [errors], or 1 and its mistake's fit where a mistake has been named: then the errors are those of the wrong hypothesis. */
+    /** The worst of [errors], or the difference of what is [named] or [unnamed]: then the errors are those of a wrong hypothesis. */
     private fun measured(
         check: Check,
-        mistakes: List<Found>,
+        named: List<Found>,
+        unnamed: List<Deviation>,
         errors: List<Double>,
         what: String,
     ): Measured {
-        val named = mistakes.filter { it.mistake.check == check }
-        val worst = if (named.isNotEmpty()) named.maxOf { it.difference }.coerceAtMost(1.0) else errors.maxOrNull()?.coerceAtMost(1.0)
-        val text = if (named.isEmpty()) what else named.joinToString("; ") { "${it.mistake.id} ${it.where}".trim() }
-        return Measured(check, worst, text)
+        val differences = named.map { it.difference } + unnamed.map { it.difference }
+        val worst = differences.ifEmpty { errors }.maxOrNull()?.coerceAtMost(1.0)
+        val text = named.map { "${it.mistake.id} ${it.where}".trim() } + unnamed.map { "${it.mistake.id} ${it.light}".trim() }.distinct()
+        return Measured(check, worst, if (text.isEmpty()) what else text.joinToString("; "))
     }
 
     private fun interpolation(light: LightModel): List<Double> =

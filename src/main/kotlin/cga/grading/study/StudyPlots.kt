@@ -7,7 +7,7 @@ import cga.grading.findings.Plot
 internal object StudyPlots {
     /** Attenuation over distance and, for spotlights, intensity over the angle; of a few lights. */
     fun of(studies: Collection<ProgramStudy>): List<Plot> {
-        val lights = studies.flatMap { it.lights }.distinctBy { it.name }
+        val lights = studies.flatMap { it.shining }.distinctBy { it.name }
         return lights.take(MOST).mapNotNull(::attenuation) + lights.mapNotNull(::cone)
     }
 

@@ -1,6 +1,8 @@
 package cga.grading.study
 
 import org.joml.Vector3d
+import kotlin.math.abs
+import kotlin.math.ln
 import kotlin.math.max
 import kotlin.random.Random
 
@@ -8,6 +10,8 @@ import kotlin.random.Random
  * What each sampler is for, by the name of its uniform; null for a role that none has.
  *
  * @param multiplied whether light only shows where the emission texture is not black.
+ * @param peak the term that lights are measured by.
+ * @param exponents what the colours of the diffuse and of the specular texture are raised to, as far as known.
  * @param untextured whether a light shows with all textures black, relative to how it shows with white ones.
  */
 internal class TextureRoles(
@@ -16,6 +20,8 @@ internal class TextureRoles(
     val specular: String?,
     val multiplied: Boolean,
     val untextured: Double,
+    val peak: Peak = Peak.DIFFUSE,
+    val exponents: List<Double> = emptyList(),
 ) {
     /** Texture colours that leave only the diffuse term. */
     val onlyDiffuse: Map<String, Double> = listOfNotNull(diffuse, emission.takeIf { multiplied }).associateWith { 1.0 }
@@ -42,11 +48,28 @@ internal class TextureRoles(
                     .associateWith { nonlinearity(probe, points, always + (it to 1.0)) }
                     .filterValues { it != null }
                     .mapValues { it.value ?: 0.0 }
-            val diffuse = linearity.filterValues { it < HALF }.minByOrNull { it.value }?.key
+            val clamped = linearity.filterValues { it < HALF }.minByOrNull { it.value }?.key
+            val diffuse = clamped ?: linearity.keys.firstOrNull { isTwoSided(probe, points, always + (it to 1.0)) }
+            val peak = if (clamped != null) {
+                Peak.DIFFUSE
+            } else if (diffuse != null) {
+                Peak.TWO_SIDED
+            } else {
+                Peak.SPECULAR
+            }
             val specular = (linearity.keys - setOfNotNull(diffuse)).maxByOrNull { linearity.getValue(it) }
             val glowing = glowing(probe.box, samples, samplers, flats)
             val emission = multiplier ?: glowing.firstOrNull { it != diffuse && it != specular }
-            return TextureRoles(emission, diffuse, specular, multiplier != null, probe.shade(samples, emptyMap()).largest() / full)
+            val exponents = listOfNotNull(diffuse, specular).mapNotNull { exponent(probe, samples, always, it) }
+            return TextureRoles(
+                emission, diffuse, specular, multiplier != null,
+                probe
+                    .shade(
+                        samples,
+                        emptyMap(),
+                    ).largest() / full,
+                peak, exponents,
+            )
         }
 
         /** Samplers that show without any light. */
@@ -84,10 +107,41 @@ internal class TextureRoles(
                 val value = shades[i] - g.floor
                 val expected = max(g.direction.dot(samples[i].normal), 0.0)
                 if (!value.isFinite()) continue
-                difference += kotlin.math.abs(value - expected)
-                sum += kotlin.math.abs(value) + expected
+                difference += abs(value - expected)
+                sum += abs(value) + expected
             }
             return if (sum > 0) difference / sum else 1.0
+        }
+
+        /** The power of the texture [name] that light is multiplied by; null where the texture does more than that. */
+        private fun exponent(
+            probe: LightProbe,
+            samples: List<Sample>,
+            always: Map<String, Double>,
+            name: String,
+        ): Double? {
+            val levels = listOf(1.0, 0.5, 0.25).map { probe.shade(samples, always + (name to it)).largest() }
+            val (first, second) = levels.zipWithNext { more, less -> ln(more / less) / ln(2.0) }
+            return first.takeIf { abs(first - second) < 0.05 }
+        }
+
+        /** Whether opposite normals receive the same light, and not only few of them: the cosine without its sign. */
+        private fun isTwoSided(
+            probe: LightProbe,
+            points: List<Vector3d>,
+            texels: Map<String, Double>,
+        ): Boolean {
+            val random = Random(14)
+            val samples = points.flatMap { p ->
+                List(NORMALS) { Directions.random(random) }.flatMap { listOf(Sample(p, it), Sample(p, Vector3d(it).negate())) }
+            }
+            val shades = probe.shade(samples, texels)
+            if (!(shades.largest() > TINY)) return false
+            return points.indices.all { i ->
+                val here = DoubleArray(2 * NORMALS) { shades[2 * NORMALS * i + it] }
+                val isEven = (0 until NORMALS).all { abs(here[2 * it] - here[2 * it + 1]) <= EVEN * here.largest() }
+                isEven && here.average() > BROAD * here.max()
+            }
         }
 
         private fun samples(points: List<Vector3d>): List<Sample> {
@@ -97,6 +151,10 @@ internal class TextureRoles(
 
         private const val NORMALS = 10
         private const val HALF = 0.35
+        private const val EVEN = 1e-3
+
+        // The mean of |cos| over all directions is a half of its largest, of |cos|^k it is 1/(k + 1).
+        private const val BROAD = 0.3
         private const val DEAD = 1e-5
 
         // With all other textures black nothing is rounded against anything: what is not 0 is there.

@@ -1,0 +1,179 @@
+package cga.grading.analysis
+
+import cga.framework.Frame
+import cga.framework.FrameDraw
+import cga.framework.FrameMaterial
+import cga.framework.FramePointLight
+import cga.framework.FrameSpotLight
+import cga.framework.FrameTexture
+import cga.framework.SpecularModel
+import cga.framework.image.ImageData
+import cga.framework.image.TextureImage
+import cga.grading.capture.Capture
+import cga.grading.capture.CapturedFrame
+import cga.grading.capture.CapturedTexture
+import cga.grading.findings.Check
+import cga.grading.findings.Mistake
+import cga.grading.scene.ObservedCone
+import cga.grading.scene.ObservedFrame
+import cga.grading.scene.ObservedLight
+import cga.grading.scene.isUsable
+import cga.grading.scene.rigidPart
+import cga.grading.study.Materials
+import cga.grading.study.Surface
+import org.joml.Matrix4d
+import org.joml.Matrix4f
+import org.joml.Vector2f
+import org.joml.Vector3d
+import org.joml.Vector3dc
+import org.joml.Vector3f
+import org.lwjgl.opengl.GL33C.GL_LINEAR
+import org.lwjgl.opengl.GL33C.GL_REPEAT
+import kotlin.math.PI
+
+/**
+ * What a captured picture should look like, for the reference to shade: the submission's own meshes, textures, places, colours and angles,
+ * and the sheet's lighting. Where a number of its own cannot be what was meant, the sheet's takes its place.
+ *
+ * @param wrong what the submission got wrong, and where: numbers behind those mistakes are not its own will.
+ */
+internal class ExpectedFrame(
+    private val capture: Capture,
+    private val materials: Materials,
+    private val wrong: Verdict,
+) {
+    private val textures = HashMap<Int, FrameTexture>()
+    private val surfaces = HashMap<CapturedFrame, List<Surface>>()
+    private val isKWrong = K_CHECKS.any { check -> wrong.checks.any { it.check == check && (it.error ?: 0.0) > SOUND } }
+
+    /** The whole picture of [frame]; null where the submission is not understood well enough. */
+    fun whole(
+        frame: CapturedFrame,
+        observed: ObservedFrame,
+    ): Frame? = frame(frame, observed, observed.lights, emission = true)
+
+    /** What the light called [name] alone adds. */
+    fun light(
+        frame: CapturedFrame,
+        observed: ObservedFrame,
+        name: String,
+    ): Frame? = frame(frame, observed, observed.lights.filter { it.name == name }, emission = false)
+
+    private fun frame(
+        frame: CapturedFrame,
+        observed: ObservedFrame,
+        lights: List<ObservedLight>,
+        emission: Boolean,
+    ): Frame? {
+        if (!observed.view.isUsable()) return null
+        val surfaces = surfaces.getOrPut(frame) { materials.of(frame, observed.view).orEmpty() }.ifEmpty { return null }
+        // Textures that are decoded or encoded on the way are no plain factors.
+        if (surfaces.any { it.gamma != 1.0 }) return null
+        val fromView = Matrix4d(observed.view).invert()
+        return Frame(
+            view = rigidPart(fromView).invert(),
+            projection = Matrix4f(observed.projection),
+            ambient = Vector3f(surfaces.first().ambient?.takeIf { emission } ?: Vector3d()),
+            specularModel = SpecularModel.BLINN_PHONG,
+            gamma = 1f,
+            pointLights = lights.filter { it.spot == null }.mapNotNull { point(it, fromView) },
+            spotLights = lights.mapNotNull { light -> light.spot?.let { spot(light, it, fromView) } },
+            draws = surfaces.map { draw(it, emission) ?: return null },
+        )
+    }
+
+    private fun point(
+        light: ObservedLight,
+        fromView: Matrix4d,
+    ): FramePointLight? {
+        // A position that no view matrix was applied to is one in the world.
+        val isWorld = light.spot == null && wrong.mistakes.any { it.mistake == Mistake.TO_LIGHT_WORLD }
+        val position = Vector3d(light.position).let { if (isWorld) it else fromView.transformPosition(it) }
+        if (!position.isFinite || !light.color.isFinite) return null
+        return FramePointLight(position, Vector3f(Vector3d(light.color).max(Vector3d())), Vector3f(k(light)))
+    }
+
+    private fun spot(
+        light: ObservedLight,
+        cone: ObservedCone,
+        fromView: Matrix4d,
+    ): FrameSpotLight? {
+        val isWorld = wrong.mistakes.any { it.mistake == Mistake.SPOT_DIRECTION_WORLD }
+        val isReversed = wrong.mistakes.any { it.mistake == Mistake.SPOT_DIRECTION_SIGN }
+        val direction = Vector3d(cone.direction)
+            .let {
+                if (isWorld) it else fromView.transformDirection(it)
+            }.normalize(if (isReversed) -1.0 else 1.0)
+        if (!direction.isFinite) return null
+        val (inner, outer) = angles(cone)
+        return point(light, fromView)?.let { FrameSpotLight(it, direction.normalize(), inner.toFloat(), outer.toFloat()) }
+    }
+
+    private fun angles(cone: ObservedCone): Pair<Double, Double> {
+        val given = listOf(cone.innerAngle, cone.outerAngle).filter { it.isFinite() }.map { it.coerceIn(0.0, PI / 2) }.sorted()
+        return if (given.size == 2) given[0] to given[1] else USUAL_INNER to USUAL_OUTER
+    }
+
+    private fun k(light: ObservedLight): Vector3dc {
+        val k = light.k
+        val isSound = k.isFinite && minOf(k.x(), minOf(k.y(), k.z())) >= 0 && k.y() + k.z() > 0
+        return if (isSound && !isKWrong) {
+            k
+        } else if (light.spot == null) {
+            POINT_K
+        } else {
+            SPOT_K
+        }
+    }
+
+    private fun draw(
+        surface: Surface,
+        emission: Boolean,
+    ): FrameDraw? {
+        // Swapped maps were found by what they do; what they are for is the other way round.
+        val isSwapped = wrong.mistakes.any { it.mistake == Mistake.MAPS_SWAPPED }
+        val diffuse = if (isSwapped) surface.specular else surface.diffuse
+        val specular = if (isSwapped) surface.diffuse else surface.specular
+        val material =
+            FrameMaterial(
+                emissive = texture(surface.emission.takeIf { emission }) ?: return null,
+                diffuse = texture(diffuse) ?: return null,
+                specular = texture(specular) ?: return null,
+                shininess = surface.exponent.takeIf { it.isFinite() && it >= 0 }?.toFloat() ?: return null,
+                tcMultiplier = Vector2f(1f),
+            )
+        val tint = Vector3f(Vector3d(surface.tint ?: WHITE).max(Vector3d()))
+        return FrameDraw(surface.vertices, surface.indices, surface.model, tint, material)
+    }
+
+    /** Texture [number], black for none; null where its texels are not linear. */
+    private fun texture(number: Int?): FrameTexture? {
+        if (number == null) return BLACK
+        val captured = capture.textures.getOrNull(number)?.takeUnless { it.srgb } ?: return null
+        return textures.getOrPut(number) {
+            val image = TextureImage(ImageData(captured.width, captured.height, topFirst(captured)), mipmaps = captured.levels.size > 1)
+            FrameTexture(image, captured.wrapS, captured.wrapT, captured.minFilter, captured.magFilter)
+        }
+    }
+
+    private fun topFirst(texture: CapturedTexture): ByteArray {
+        val row = 4 * texture.width
+        val texels = texture.levels[0]
+        return ByteArray(texels.size) { texels[(texture.height - 1 - it / row) * row + it % row] }
+    }
+
+    private companion object {
+        val K_CHECKS = listOf(Check.ATTENUATION_FORM, Check.ATTENUATION_POINT, Check.ATTENUATION_SPOT)
+        const val SOUND = 0.02
+
+        /** Table 1 of the sheet. */
+        val POINT_K: Vector3dc = Vector3d(1.0, 0.5, 0.1)
+        val SPOT_K: Vector3dc = Vector3d(0.5, 0.05, 0.01)
+
+        /** The sheet names no angles; these are a headlight's. */
+        const val USUAL_INNER = 12 * PI / 180
+        const val USUAL_OUTER = 25 * PI / 180
+        val WHITE = Vector3d(1.0)
+        val BLACK = FrameTexture(TextureImage(ImageData.ofColor(0f, 0f, 0f), mipmaps = false), GL_REPEAT, GL_REPEAT, GL_LINEAR, GL_LINEAR)
+    }
+}

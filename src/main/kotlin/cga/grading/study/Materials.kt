@@ -1,0 +1,281 @@
+package cga.grading.study
+
+import cga.framework.InputError
+import cga.grading.capture.Capture
+import cga.grading.capture.CapturedDraw
+import cga.grading.capture.CapturedFrame
+import cga.grading.capture.CapturedProgram
+import org.joml.Matrix4d
+import org.joml.Matrix4dc
+import org.joml.Vector3d
+import org.joml.Vector3dc
+import org.lwjgl.opengl.GL33C.GL_TRIANGLES
+import kotlin.math.abs
+
+/**
+ * One draw as a surface with a material, in the terms of the lighting model.
+ *
+ * @param vertices eight floats each: position, texture coordinates as the textures are read with, normal; [indices] three a triangle.
+ * @param model model space → world space.
+ * @param tint factor of the emission; null where the submission has none.
+ * @param ambient L_a as the submission sends it, null where it sends none.
+ * @param emission number of the captured texture, null where nothing glows; likewise [diffuse] and [specular].
+ * @param gamma what the shader's picture has to be raised to for light to add up: 1 without gamma.
+ */
+internal class Surface(
+    val vertices: FloatArray,
+    val indices: IntArray,
+    val model: Matrix4dc,
+    val tint: Vector3dc?,
+    val ambient: Vector3dc?,
+    val emission: Int?,
+    val diffuse: Int?,
+    val specular: Int?,
+    val exponent: Double,
+    val gamma: Double,
+)
+
+/** The materials of a capture's draws, by what [studies] found out about its programs. Needs a current context. */
+internal class Materials(
+    private val rig: ProbeRig,
+    private val capture: Capture,
+    private val studies: Map<Int, ProgramStudy>,
+) {
+    private val coordinates = HashMap<List<Any>, TexCoords?>()
+
+    /** The sampler that reads the emission in program [number]; null where it is unknown or reads more than that. */
+    fun emissionSampler(
+        number: Int,
+    ): String? = studies[number]?.roles?.takeUnless { it.multiplied }?.let { roles ->
+        roles.emission.takeIf {
+            it !=
+                roles.diffuse &&
+                it != roles.specular
+        }
+    }
+
+    /** The uniform of program [number] that is ambient light. */
+    fun ambientUniform(number: Int): String? = studies[number]?.emission?.ambient?.name
+
+    /** The surfaces of [frame], seen through [view]; null where one of them is not understood. */
+    fun of(
+        frame: CapturedFrame,
+        view: Matrix4dc,
+    ): List<Surface>? = frame.steps.filterIsInstance<CapturedDraw>().map { surface(it, view) ?: return null }
+
+    private fun surface(
+        draw: CapturedDraw,
+        view: Matrix4dc,
+    ): Surface? {
+        val study = studies[draw.program] ?: return null
+        val roles = study.roles ?: return null
+        val diffuse = texture(draw, roles.diffuse) ?: return null
+        if (draw.mode != GL_TRIANGLES || draw.instances != 1) return null
+        val values = study.box.program.constants + draw.uniforms.associate { it.name to it.numbers }
+        val spaces = Spaces.of(study.formula, study.box.program.matrices.filter { it in values }, values) ?: return null
+        val normal = normal(draw, study.formula.positionLocation) ?: return null
+        val mesh = mesh(draw, study.formula.positionLocation, normal, values) ?: return null
+        return Surface(
+            vertices = mesh.first,
+            indices = mesh.second,
+            model = spaces.model ?: view.invert(Matrix4d()).mul(spaces.modelView),
+            tint = study.emission.tint?.let { color(values[it.name]) },
+            ambient = study.emission.ambient?.let { color(values[it.name]) },
+            emission = texture(draw, roles.emission ?: rest(study, roles)),
+            diffuse = diffuse,
+            specular = texture(draw, roles.specular),
+            exponent = exponent(study, values),
+            gamma = study.exponent,
+        )
+    }
+
+    /** The sampler that nothing was found for: with an emission that is missing, its texture. */
+    private fun rest(
+        study: ProgramStudy,
+        roles: TextureRoles,
+    ): String? = study.box.program.samplers.map { it.name }.filter { it != roles.diffuse && it != roles.specular }.singleOrNull()
+
+    private fun texture(
+        draw: CapturedDraw,
+        sampler: String?,
+    ): Int? = draw.uniforms.find { it.name == sampler }?.let { draw.textures[it.numbers[0].toInt()] }
+
+    private fun color(numbers: FloatArray?): Vector3d? = numbers
+        ?.takeIf {
+            it.size >= 3
+        }?.let { Vector3d(it[0].toDouble(), it[1].toDouble(), it[2].toDouble()) }
+
+    private fun exponent(
+        study: ProgramStudy,
+        values: Map<String, FloatArray>,
+    ): Double {
+        val highlight = study.lights.firstNotNullOfOrNull { it.highlight }
+        return highlight?.exponentSlot?.let { values[it.name]?.firstOrNull()?.toDouble() } ?: highlight?.fit?.exponent ?: USUAL_EXPONENT
+    }
+
+    /** The other vector of three numbers; of several the one that has unit length. */
+    private fun normal(
+        draw: CapturedDraw,
+        position: Int,
+    ): Int? {
+        val active = capture.programs[draw.program].attributes.values
+        val threes = draw.attributes.filter { it.size == 3 && it.location != position && it.location in active }.map { it.location }
+        return threes.singleOrNull() ?: threes.firstOrNull { isUnit(DrawVertices(capture, draw), it) }
+    }
+
+    private fun isUnit(
+        vertices: DrawVertices,
+        location: Int,
+    ): Boolean =
+        vertices.distinct.take(SOME).all { vertex ->
+            val n = vertices.read(location, vertex) ?: return false
+            abs(Vector3d(n[0], n[1], n[2]).length() - 1) < NEAR
+        }
+
+    private fun mesh(
+        draw: CapturedDraw,
+        position: Int,
+        normal: Int,
+        values: Map<String, FloatArray>,
+    ): Pair<FloatArray, IntArray>? {
+        val read = DrawVertices(capture, draw)
+        val coords = texCoords(draw, position, lit(draw.program, values)) ?: return null
+        val numbers = read.distinct.withIndex().associate { it.value to it.index }
+        val indices = IntArray(read.order.size / 3 * 3) { numbers.getValue(read.order[it]) }
+        val vertices = FloatArray(FLOATS * numbers.size)
+        for ((vertex, number) in numbers) {
+            val p = read.read(position, vertex) ?: return null
+            val t = coords.location?.let { read.read(it, vertex) ?: return null } ?: DoubleArray(2)
+            val n = read.read(normal, vertex) ?: return null
+            for (axis in 0..2) vertices[FLOATS * number + axis] = p[axis].toFloat()
+            for (axis in 0..1) vertices[FLOATS * number + 3 + axis] = coords.of(t, axis).toFloat()
+            for (axis in 0..2) vertices[FLOATS * number + 5 + axis] = n[axis].toFloat()
+        }
+        return vertices to indices
+    }
+
+    /** [values] with every colour white, so that all that is textured shows. */
+    private fun lit(
+        program: Int,
+        values: Map<String, FloatArray>,
+    ): Map<String, FloatArray> {
+        val colors = studies.getValue(program).colors
+        return values + Setting().withColors(colors.flats + colors.factors + colors.lights, 1.0).values
+    }
+
+    private fun texCoords(
+        draw: CapturedDraw,
+        position: Int,
+        values: Map<String, FloatArray>,
+    ): TexCoords? {
+        val pairs = draw.attributes.filter { it.size == 2 && it.location != position }.map { it.location }
+        // Vectors of two numbers and single ones are all that texture coordinates are scaled by.
+        val scales = draw.uniforms.filter { it.numbers.size <= 2 }.flatMap { it.numbers.toList() }
+        return coordinates.getOrPut(listOf(draw.program, pairs, scales)) {
+            TexCoords.of(rig, capture.programs[draw.program], draw.attributes.map { it.location }, pairs, values)
+        }
+    }
+
+    private companion object {
+        const val FLOATS = 8
+        const val SOME = 20
+        const val NEAR = 0.02
+        const val USUAL_EXPONENT = 60.0
+    }
+}
+
+/** How texture coordinates are made of the attribute at [location]: factor times it plus offset, axis by axis. */
+internal class TexCoords(
+    val location: Int?,
+    private val factor: DoubleArray,
+    private val offset: DoubleArray,
+) {
+    fun of(
+        attribute: DoubleArray,
+        axis: Int,
+    ): Double = factor[axis] * attribute[axis] + offset[axis]
+
+    companion object {
+        /**
+         * Finds out by having every texture show where it is read: a program in which `texture(s, uv)` means its second argument. Null where
+         * that cannot be compiled or gives no straight line.
+         */
+        fun of(
+            rig: ProbeRig,
+            captured: CapturedProgram,
+            locations: List<Int>,
+            pairs: List<Int>,
+            values: Map<String, FloatArray>,
+        ): TexCoords? =
+            try {
+                ProbeProgram(shown(captured)).use { where ->
+                    ProbeProgram(captured).use { usual -> measure(Shown(rig, where, usual, locations, values), pairs) }
+                }
+            } catch (_: InputError) {
+                null
+            }
+
+        private fun shown(captured: CapturedProgram) =
+            CapturedProgram(
+                captured.vertexSource,
+                LiftedConstants.afterVersion(
+                    LiftedConstants.withoutComments(captured.fragmentSource),
+                    "#define texture(s, uv) vec4((uv), 0.0, 1.0)",
+                ),
+                captured.attributes,
+                captured.outputs,
+                captured.substituted,
+            )
+
+        private fun measure(
+            shown: Shown,
+            pairs: List<Int>,
+        ): TexCoords? {
+            val at = pairs.firstOrNull { location -> shown.at(location, 0.0, 0.0) != shown.at(location, STEP, STEP) }
+            // Where nothing moves them, all of the surface shows the same texel.
+            if (at == null) return shown.at(NOWHERE, 0.0, 0.0)?.let { TexCoords(null, DoubleArray(2), it.toDoubleArray()) }
+            val zero = shown.at(at, 0.0, 0.0) ?: return null
+            val one = shown.at(at, STEP, STEP) ?: return null
+            val two = shown.at(at, 2 * STEP, 2 * STEP) ?: return null
+            val isStraight = (0..1).all { abs(two[it] - 2 * one[it] + zero[it]) <= STRAIGHT * (abs(two[it] - zero[it]) + STEP) }
+            if (!isStraight) return null
+            return TexCoords(at, DoubleArray(2) { (one[it] - zero[it]) / STEP }, zero.toDoubleArray())
+        }
+
+        /** Small enough that a shader that clamps its colour at 1 does not clamp what is shown. */
+        private const val STEP = 1.0 / 512
+        private const val STRAIGHT = 1e-3
+        private const val NOWHERE = -1
+    }
+
+    /** A program that shows where it reads its textures, beside the same that reads grey ones. */
+    private class Shown(
+        private val rig: ProbeRig,
+        private val where: ProbeProgram,
+        private val usual: ProbeProgram,
+        private val locations: List<Int>,
+        private val values: Map<String, FloatArray>,
+    ) {
+        /** Red and green for the attribute [location] at ([u], [v]), relative to white textures; null where nothing is lit. */
+        fun at(
+            location: Int,
+            u: Double,
+            v: Double,
+        ): List<Double>? {
+            val feed = Feed(1)
+            for (each in locations) feed.set(each, 0, SOME[0], SOME[1], SOME[2])
+            if (location >= 0) feed.set(location, 0, u, v)
+            val black = usual.samplers.associate { it.name to FloatArray(3) }
+            val gray = usual.samplers.associate { it.name to FloatArray(3) { ColorSlots.DARK.toFloat() } }
+            val dark = rig.points(usual, feed, usual.constants + values, black)
+            val full = rig.points(usual, feed, usual.constants + values, gray)
+            val read = rig.points(where, feed, where.constants + values, emptyMap())
+            val shares = (0..1).map { ColorSlots.DARK * (read[it].toDouble() - dark[it]) / (full[it].toDouble() - dark[it]) }
+            return shares.takeIf { all -> all.all { it.isFinite() } }
+        }
+
+        private companion object {
+            val SOME = doubleArrayOf(0.3, 0.4, 0.5)
+        }
+    }
+}

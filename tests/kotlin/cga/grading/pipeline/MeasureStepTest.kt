@@ -1,0 +1,58 @@
+package cga.grading.pipeline
+
+import cga.grading.findings.FailureReason
+import cga.grading.sandbox.End
+import cga.grading.sandbox.Limit
+import cga.grading.sandbox.Limits
+import cga.grading.sandbox.Outcome
+import cga.grading.submission.MadeUp
+import cga.grading.submission.SubmissionReader
+import org.junit.jupiter.api.Assertions.assertEquals
+import org.junit.jupiter.api.Assertions.assertTrue
+import org.junit.jupiter.api.Test
+import org.junit.jupiter.api.assertThrows
+import org.junit.jupiter.api.io.TempDir
+import java.nio.file.Path
+import kotlin.io.path.createDirectories
+import kotlin.io.path.writeText
+
+/** What is told of the ways in which measuring can end, the process itself being made up. */
+class MeasureStepTest {
+    @TempDir
+    lateinit var folder: Path
+
+    private fun stopped(end: End, errors: String = ""): Stopped {
+        val submission = SubmissionReader.read(MadeUp.write(folder.resolve("submission")), folder.resolve("unused"))
+        val scratch = folder.resolve("scratch").createDirectories()
+        // What a submission might have left there is not read before the process has ended well.
+        scratch.resolve("findings.json").writeText("{}")
+        val step = MeasureStep({ Outcome(end, "", errors, 1.0, 1.0, 1) }, Programs(folder.resolve("home")), Limits())
+        return assertThrows { step.measure(submission, folder.resolve("capture.bin"), scratch, folder, Run()) }
+    }
+
+    @Test
+    fun `a shader that takes too long or brings the driver down is told as the shader's`() {
+        val late = stopped(End.Exceeded(Limit.WALL_CLOCK))
+        assertEquals(FailureReason.TIMED_OUT, late.reason)
+        val crash = stopped(End.Signalled(11))
+        assertEquals(FailureReason.CRASHED, crash.reason)
+        assertTrue("shaders" in late.detail && "shaders" in crash.detail) { "${late.detail} ${crash.detail}" }
+    }
+
+    @Test
+    fun `an end that is not agreed upon is the grader's own fault and costs nobody points`() {
+        for (code in listOf(1, 2, 77)) assertEquals(FailureReason.INTERNAL, stopped(End.Exited(code), "at cga.grading…").reason, "$code")
+    }
+
+    @Test
+    fun `what the process says is the reason's detail`() {
+        val threw = stopped(End.Exited(6), "java.lang.IllegalStateException: no motorcycle\n  at Scene.kt:12\n")
+        assertEquals(FailureReason.EXCEPTION, threw.reason)
+        assertEquals("java.lang.IllegalStateException: no motorcycle\n  at Scene.kt:12", threw.detail)
+        assertEquals(FailureReason.CAPTURE_UNREADABLE, stopped(End.Exited(3), "too long").reason)
+        assertEquals(FailureReason.NOT_REPRODUCIBLE, stopped(End.Exited(4), "pixels differ").reason)
+    }
+
+    @Test
+    fun `findings that are none are refused`() = assertEquals(FailureReason.CAPTURE_UNREADABLE, stopped(End.Exited(0)).reason)
+}

@@ -13,7 +13,7 @@ internal object VerdictTraces {
                 setOf(Check.POINT_LIGHT, Check.POINT_LIGHT_CHILD, Check.POINT_LIGHT_POSITION, Check.ATTENUATION_POINT, Check.LIGHT_COLOR),
             Mistake.SPOT_MISSING to
                 setOf(Check.SPOT_LIGHT, Check.SPOT_LIGHT_CHILD, Check.SPOT_DIRECTION, Check.CONE, Check.CONE_SPECULAR) +
-                    Check.ATTENUATION_SPOT,
+                Check.ATTENUATION_SPOT,
             Mistake.MORE_LIGHTS_MISSING to setOf(Check.MORE_LIGHTS, Check.MORE_LIGHTS_SHADING),
             Mistake.EMISSION_COLOR_IGNORED to setOf(Check.EMISSION, Check.GROUND_COLOR, Check.MOTORCYCLE_COLOR),
         )

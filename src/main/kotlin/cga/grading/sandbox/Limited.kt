@@ -5,7 +5,6 @@ import kotlin.math.ceil
 /** The part of the limits that the kernel keeps, a little above those that are watched: a job that hits it is seen there and named. */
 internal object Limited {
     private const val OPEN_FILES = 1024
-    private const val SPARE_TASKS = 64
     private const val SPARE_SECONDS = 2
     private const val SPARE_BYTES = 16L shl 20
 
@@ -16,7 +15,7 @@ internal object Limited {
                 listOf("--bounding-set=-all", "--inh-caps=-all", "--no-new-privs")
         }
         val limits = job.limits
-        val tasks = if (ownTasks) listOf("--nproc=${limits.tasks + SPARE_TASKS}") else emptyList()
+        val tasks = if (ownTasks) listOf("--nproc=${2 * limits.tasks}") else emptyList()
         val cpu = ceil(limits.cpuSeconds).toLong() + SPARE_SECONDS
         // Only the job itself may enter its folders.
         val enter = listOf("env", "--chdir=${job.workingDirectory.toAbsolutePath()}")

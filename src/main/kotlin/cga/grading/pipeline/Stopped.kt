@@ -26,16 +26,8 @@ internal fun checkEnd(
             if (end.code == 0) return
             val said = outcome.errors.lines().filter(String::isNotBlank).takeLast(LAST_LINES).joinToString("\n")
             val known = codes[end.code]
-            throw Stopped(
-                known ?: otherwise,
-                if (known != null &&
-                    said != ""
-                ) {
-                    said
-                } else {
-                    "$step ended with exit code ${end.code}.\n$said".trim()
-                },
-            )
+            val detail = if (known != null && said != "") said else "$step ended with exit code ${end.code}.\n$said".trim()
+            throw Stopped(known ?: otherwise, detail)
         }
         is End.Signalled -> throw Stopped(FailureReason.CRASHED, "$step crashed with signal ${end.signal}.")
         is End.Exceeded -> throw Stopped(

@@ -1,10 +1,10 @@
 package cga.grading.scene
 
+import cga.exercise.components.shader.UniformNames
 import cga.grading.capture.CapturedEvent
 import cga.grading.capture.EventKind
 import cga.grading.findings.Check
 import cga.grading.findings.Mistake
-import kotlin.math.min
 
 /**
  * Do the calls beside the drawing explain what is missing? What is not missed is no mistake: a driver also drops uniforms that a shader
@@ -116,16 +116,4 @@ internal class EventJudge(
 internal fun editDistance(
     a: String,
     b: String,
-): Int {
-    var row = IntArray(b.length + 1) { it }
-    for (i in a.indices) {
-        val next = IntArray(b.length + 1)
-        next[0] = i + 1
-        for (j in b.indices) {
-            val change = if (a[i].equals(b[j], ignoreCase = true)) 0 else 1
-            next[j + 1] = minOf(row[j] + change, min(row[j + 1], next[j]) + 1)
-        }
-        row = next
-    }
-    return row[b.length]
-}
+): Int = UniformNames.distance(a.lowercase(), b.lowercase())

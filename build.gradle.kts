@@ -29,6 +29,8 @@ dependencies {
     implementation(libs.kotlinx.html)
     implementation(libs.xchart)
     implementation(libs.vectorgraphics2d)
+    implementation(libs.jmh.core)
+    implementation(libs.jmh.generator.reflection)
 
     // EGL has none: it is part of the graphics driver.
     for (platform in nativePlatforms) {

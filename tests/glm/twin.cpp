@@ -6,6 +6,7 @@
 //
 //     --context osmesa|egl   where OpenGL comes from; default: osmesa
 //     --own                  compute matrices and lights with GLM, and report how far they are from the recorded ones
+//     --back-faces           draw those as well
 //     --frames N             draw N frames more, and say how long each takes: milliseconds of the clock, and of this thread
 //     --out FILE             the picture: .png, or anything else for plain bytes, red green blue alpha, from the top left
 //
@@ -27,6 +28,7 @@ struct Options {
     std::string context = "osmesa";
     std::string out;
     bool own = false;
+    bool backFaces = false;
     int frames = 0;
 };
 
@@ -40,12 +42,13 @@ static Options optionsOf(int count, char** words)
             return std::string(words[i]);
         };
         if (word == "--own") options.own = true;
+        else if (word == "--back-faces") options.backFaces = true;
         else if (word == "--context") options.context = value();
         else if (word == "--frames") options.frames = std::atoi(value().c_str());
         else if (word == "--out") options.out = value();
         else options.recording = word;
     }
-    require(!options.recording.empty(), "usage: twin RECORDING [--context osmesa|egl] [--own] [--frames N] [--out FILE]");
+    require(!options.recording.empty(), "usage: twin RECORDING [--context osmesa|egl] [--own] [--back-faces] [--frames N] [--out FILE]");
     require(options.context == "osmesa" || options.context == "egl", "--context is osmesa or egl, not " + options.context);
     return options;
 }
@@ -102,7 +105,7 @@ static void run(const Options& options)
     const Recording recording = readRecording(options.recording);
     if (options.context == "egl") openEgl();
     else openOsMesa();
-    const Renderer renderer(recording);
+    const Renderer renderer(recording, options.backFaces);
     const Scene scene(recording.parameters);
     std::vector<Call> calls = recording.calls;
     if (options.own) {

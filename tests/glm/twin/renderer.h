@@ -10,7 +10,7 @@
 
 class Renderer {
 public:
-    explicit Renderer(const Recording& recording) : recording_(recording)
+    explicit Renderer(const Recording& recording, bool backFaces = false) : recording_(recording), backFaces_(backFaces)
     {
         for (const std::string& file : recording.models) {
             std::vector<Mesh>& meshes = models_.emplace_back();
@@ -29,7 +29,7 @@ public:
         glBindFramebuffer(GL_FRAMEBUFFER, drawn_);
         glViewport(0, 0, recording_.width, recording_.height);
         glEnable(GL_DEPTH_TEST);
-        glEnable(GL_CULL_FACE);
+        if (!backFaces_) glEnable(GL_CULL_FACE);
         glDisable(GL_DITHER);
         glClearColor(0, 0, 0, 1);
         glClear(GL_COLOR_BUFFER_BIT | GL_DEPTH_BUFFER_BIT);
@@ -197,6 +197,7 @@ private:
     }
 
     const Recording& recording_;
+    const bool backFaces_;
     std::vector<std::vector<Mesh>> models_;
     std::vector<GLuint> textures_;
     GLuint drawn_ = 0;

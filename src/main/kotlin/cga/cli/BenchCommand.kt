@@ -1,44 +1,33 @@
 package cga.cli
 
-import cga.measure.FrameBench
-import cga.measure.ProcessBench
-import cga.measure.Sample
+import cga.framework.Home
+import cga.measure.speed.SpeedReport
 import com.github.ajalt.clikt.core.CliktCommand
 import com.github.ajalt.clikt.core.Context
-import com.github.ajalt.clikt.core.terminal
 import com.github.ajalt.clikt.parameters.options.default
+import com.github.ajalt.clikt.parameters.options.multiple
 import com.github.ajalt.clikt.parameters.options.option
+import com.github.ajalt.clikt.parameters.types.choice
 import com.github.ajalt.clikt.parameters.types.int
+import com.github.ajalt.clikt.parameters.types.path
 import com.github.ajalt.clikt.parameters.types.restrictTo
-import com.github.ajalt.mordant.table.table
 
-/** `cga bench`: the figures of the README. */
+/** `cga bench`: the figures and pictures of docs/performance.md. */
 internal class BenchCommand : CliktCommand("bench") {
-    override fun help(context: Context): String = "Measure one picture as a process, and the steady frame: time, memory, allocation."
+    override fun help(context: Context): String =
+        "Measure where the time goes, beside a C++ twin of the program, and write tables, pictures and JSON into a document."
 
-    private val runs by option("--runs", metavar = "N", help = "Processes to measure. Default: 9").int().restrictTo(min = 1).default(9)
-    private val frames by option("--frames", metavar = "N", help = "Frames to measure. Default: 200").int().restrictTo(min = 1).default(200)
-    private val step by stepOption()
+    private val runs by option("--runs", metavar = "N", help = "Rounds of everything that is timed. Default: 9").int().restrictTo(min = 1).default(9)
+    private val only by option("--only", help = "Measure this part, and leave the others as they are; may be repeated")
+        .choice(*SpeedReport.parts.toTypedArray())
+        .multiple()
+    private val out by option("--out", metavar = "FILE.md", help = "The document, with its markers. Default: docs/performance.md").path()
     private val size by sizeOption()
     private val context by contextOption()
 
     override fun run() {
-        val process = ProcessBench.measure(runs, step, size.width, size.height)
-        val frame = FrameBench.measure(context, frames, step, size.width, size.height)
-        terminal.println(
-            table {
-                header { row("figure", "median", "lowest", "highest") }
-                body {
-                    row("cga render as a process, s", *process.seconds.columns("%.2f"))
-                    row("  resident memory, MiB", *process.mebibytes.columns("%.0f"))
-                    row("steady frame, ms", *frame.milliseconds.columns("%.1f"))
-                    row("  allocated by the JVM, bytes", *frame.bytes.columns("%.0f"))
-                }
-            },
-        )
-        val processors = Runtime.getRuntime().availableProcessors()
-        echo("${size.width}x${size.height}, step ${step.sheet}, ${frame.renderer}, $processors processors")
+        val file = out ?: Home.resolve("docs/performance.md")
+        SpeedReport(file).write(only.ifEmpty { SpeedReport.parts }, runs, size.width, size.height, context) { echo("$it…", err = true) }
+        echo("wrote $file")
     }
-
-    private fun Sample.columns(format: String) = arrayOf(median, lowest, highest).map { format.format(it) }.toTypedArray()
 }

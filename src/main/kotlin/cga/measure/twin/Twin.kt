@@ -36,14 +36,15 @@ internal class Twin private constructor(private val program: Path) {
         kind: ContextKind,
     ): Map<String, Double> = columns(run(recording, kind, own = true), "difference").associate { (name, value) -> name to value.toDouble() }
 
-    /** The times of [count] frames after the first. */
+    /** The times of [count] frames after the first; without [isCulling] back faces are drawn, too. */
     fun frameTimes(
         recording: Path,
         kind: ContextKind,
         count: Int,
         own: Boolean,
+        isCulling: Boolean = true,
     ): List<FrameTime> =
-        columns(run(recording, kind, own, listOf("--frames", "$count")), "frame")
+        columns(run(recording, kind, own, listOf("--frames", "$count") + if (isCulling) emptyList() else listOf("--back-faces")), "frame")
             .map { (clock, thread) -> FrameTime(clock.toDouble(), thread.toDouble()) }
 
     /** The command that draws [recording] to [out], as a process to be timed. */

@@ -6,9 +6,12 @@ import java.lang.management.ManagementFactory
 /** What decides how fast this machine is; no names of hosts and no paths. */
 internal object Host {
     /** One sentence's beginning: processor, what drew, Java. */
-    fun describe(drawn: DrawingResult): String {
-        val mesa = Regex("""Mesa \S+""").find(drawn.version)?.value ?: drawn.version
-        return "${processor()}, ${Runtime.getRuntime().availableProcessors()} processors, ${drawn.renderer}, $mesa, " +
+    fun describe(
+        renderer: String,
+        version: String,
+    ): String {
+        val mesa = Regex("""Mesa \S+""").find(version)?.value ?: version
+        return "${processor()}, ${Runtime.getRuntime().availableProcessors()} processors, $renderer, $mesa, " +
             "JDK ${System.getProperty("java.version")} on ${System.getProperty("os.name")} ${System.getProperty("os.arch")}"
     }
 

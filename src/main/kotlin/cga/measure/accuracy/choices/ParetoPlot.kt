@@ -1,15 +1,13 @@
 package cga.measure.accuracy.choices
 
 import cga.framework.AtomicFile
+import cga.measure.ChartStyle
 import org.knowm.xchart.ChartEncoder
 import org.knowm.xchart.XYChart
 import org.knowm.xchart.XYChartBuilder
 import org.knowm.xchart.XYSeries.XYSeriesRenderStyle
-import org.knowm.xchart.style.Styler.LegendLayout
-import org.knowm.xchart.style.Styler.LegendPosition
 import org.knowm.xchart.style.lines.SeriesLines
 import org.knowm.xchart.style.markers.SeriesMarkers
-import java.awt.BasicStroke
 import java.awt.Color
 import java.awt.Font
 import java.awt.image.BufferedImage
@@ -65,10 +63,10 @@ public class ParetoPlot(
             val (name, rows) = entry
             val points = chart.addSeries(name, rows.map { it.cost.median }.toDoubleArray(), rows.map(error).toDoubleArray())
             points.setXYSeriesRenderStyle(XYSeriesRenderStyle.Scatter)
-            points.setMarker(MARKERS[i % MARKERS.size]).setMarkerColor(COLORS[i % COLORS.size])
+            points.setMarker(ChartStyle.marker(i)).setMarkerColor(ChartStyle.color(i))
         }
         val labels = points.map { PointLabels.Point(it.cost.median, error(it), it.name) }
-        chart.addAnnotation(PointLabels(labels, costs, errors, font(Font.PLAIN, 12), TEXT))
+        chart.addAnnotation(PointLabels(labels, costs, errors, ChartStyle.font(Font.PLAIN, 12), ChartStyle.TEXT))
         return chart
     }
 
@@ -88,35 +86,17 @@ public class ParetoPlot(
     }
 
     private fun style(chart: XYChart) {
+        ChartStyle.apply(chart)
         val styler = chart.styler
-        styler.setXAxisLogarithmic(true).setYAxisLogarithmic(true)
         styler.setXAxisMin(costs.start).setXAxisMax(costs.endInclusive)
         styler.setYAxisMin(errors.start).setYAxisMax(errors.endInclusive)
         styler.setXAxisTickLabelsFormattingFunction(PointLabels::tick)
         styler.setYAxisTickLabelsFormattingFunction(PointLabels::tick)
-        styler.setAxisTickLabelsFont(font(Font.PLAIN, 13)).setAxisTitleFont(font(Font.PLAIN, 14)).setPlotMargin(0)
-        styler.setPlotContentSize(1.0)
-        styler.setPlotGridLinesColor(GRID).setPlotGridLinesStroke(BasicStroke(1f))
-        styler.setChartTitleFont(font(Font.BOLD, 16)).setChartTitleBoxVisible(false).setChartBackgroundColor(Color.WHITE)
-        styler.setChartFontColor(TEXT).setPlotBackgroundColor(Color.WHITE).setPlotBorderColor(GRID)
-        styler.setLegendPosition(LegendPosition.OutsideS).setLegendLayout(LegendLayout.Horizontal).setLegendFont(font(Font.PLAIN, 13))
-        styler.setLegendBorderColor(Color.WHITE).setMarkerSize(11).setAntiAlias(true).setTextAntiAlias(true)
     }
 
     private companion object {
         const val WIDTH = 900
         const val HEIGHT = 560
-        val TEXT = Color(0x22, 0x22, 0x22)
-        val GRID = Color(0xDD, 0xDD, 0xDD)
         val FRONT = Color(0xB8, 0xC4, 0xD8)
-
-        // Told apart by those who see few colours as well (Okabe and Ito 2008), and by their shapes.
-        val COLORS = listOf(Color(0x00, 0x72, 0xB2), Color(0xD5, 0x5E, 0x00), Color(0x00, 0x9E, 0x73), Color(0xCC, 0x79, 0xA7))
-        val MARKERS = listOf(SeriesMarkers.CIRCLE, SeriesMarkers.SQUARE, SeriesMarkers.DIAMOND, SeriesMarkers.TRIANGLE_UP)
-
-        fun font(
-            style: Int,
-            size: Int,
-        ) = Font(Font.SANS_SERIF, style, size)
     }
 }

@@ -28,7 +28,7 @@ public fun main(args: Array<String>) {
 }
 
 /** In the order of the help. */
-private val COMMANDS: Map<String, () -> CliktCommand> =
+internal val COMMANDS: Map<String, () -> CliktCommand> =
     mapOf(
         "run" to ::RunCommand,
         "render" to ::RenderCommand,

@@ -37,11 +37,12 @@ class WorkerFilesTest {
     }
 
     @Test
-    fun `the submission's classes come first on the class path`() {
+    fun `what an archive is made of comes first on the class path, the submission's classes last`() {
         val run = WorkerRun(listOf(Path.of("/s/classes"), Path.of("/s/more")), Path.of("/w.jar"), "MainKt", Path.of("/out/capture"))
         val command = WorkerFiles.command(run)
         assertEquals(listOf("cga.grading.worker.WorkerMain", "MainKt", "/out/capture"), command.takeLast(3))
         val path = command[command.indexOf("-cp") + 1].split(File.pathSeparator)
-        assertEquals(listOf("/s/classes", "/s/more", "/w.jar"), path.take(3))
+        assertEquals("/w.jar", path.first())
+        assertEquals(listOf("/s/classes", "/s/more"), path.takeLast(2))
     }
 }

@@ -119,7 +119,7 @@ internal class ScenePictures(
     }
 
     private companion object {
-        val SCENE = PictureSize(720, 405, grid = 2)
+        val SCENE = PictureSize(640, 360, grid = 2)
         val LIGHT = PictureSize(320, 180, grid = 1)
         const val MOST_LIGHTS = 10
         val WHOLE = listOf(Moment.TIME_4, Moment.MOUSE_FAR)

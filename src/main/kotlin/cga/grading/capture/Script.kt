@@ -18,7 +18,7 @@ public enum class Moment(
     FIRST(0.0, drawn = true),
 
     /** The frame after it, with nothing else changed but the time. */
-    SECOND(1.0 / 60, drawn = true),
+    SECOND(1.0 / 60),
     TIME_1(0.7),
     TIME_2(1.3),
     TIME_3(1.9),

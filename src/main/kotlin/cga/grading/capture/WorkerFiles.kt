@@ -53,12 +53,16 @@ public object WorkerFiles {
             .filter { entry -> LIBRARY.matches(File(entry).name) && isForThisMachine(File(entry).name) }
             .map { Path.of(it).toAbsolutePath().normalize() }
 
+    /** The class path of a run as far as it is ours, given the jar [worker]. */
+    public fun own(worker: Path): List<Path> = listOf(worker) + libraries()
+
     /** The command that runs a submission; see [WorkerRun]. */
     public fun command(run: WorkerRun): List<String> {
         val java = Path.of(System.getProperty("java.home"), "bin", "java").toString()
-        // A path is a list of names too: adding it bare would add those.
-        val classPath = (run.classes + listOf(run.worker) + libraries()).joinToString(File.pathSeparator)
-        return listOf(java) + FLAGS + "-Xmx${run.heapMegabytes}m" + listOf("-cp", classPath, MAIN, run.main, run.capture.toString())
+        // What a class archive was made of comes first, or the JVM would not use it.
+        val classPath = (own(run.worker) + run.classes).joinToString(File.pathSeparator)
+        return listOf(java) + FLAGS + run.options + "-Xmx${run.heapMegabytes}m" +
+            listOf("-cp", classPath, MAIN, run.main, run.capture.toString())
     }
 
     /** What the worker's environment must hold: software rendering, and no more OpenGL than the course's. */
@@ -77,7 +81,8 @@ public object WorkerFiles {
     private const val MAIN = "cga.grading.worker.WorkerMain"
     private val LIBRARY = Regex("(kotlin-stdlib|annotations|lwjgl|joml)(-.*)?\\.jar")
 
-    private val FLAGS: List<String> =
+    /** What every worker's JVM is started with. */
+    public val FLAGS: List<String> =
         listOf(
             // A short run: no time for the optimising compiler, one thread for the collector.
             "-XX:TieredStopAtLevel=1",
@@ -95,15 +100,17 @@ public object WorkerFiles {
 /**
  * One run of a submission.
  *
- * @param classes where its compiled classes are, stand-in included: folders or jars, before all others.
+ * @param classes where its compiled classes are, stand-in included: folders or jars, after ours.
  * @param worker the jar that [WorkerFiles.writeJar] wrote.
  * @param main the class with its `main`.
  * @param capture the file to be written. The process is to be started in the folder that holds the submission's `assets`.
+ * @param options more options for the JVM.
  */
 public class WorkerRun(
     public val classes: List<Path>,
     public val worker: Path,
     public val main: String,
     public val capture: Path,
+    public val options: List<String> = emptyList(),
     public val heapMegabytes: Int = 1024,
 )

@@ -26,6 +26,9 @@ public class KotlinCompiler internal constructor(
     public val languageLevel: String?,
     private val archive: Path?,
 ) {
+    /** Compilers older than 1.5 reach into the JDK; for others it only makes every start slower. */
+    private val opened: List<String> get() = if (number < CLOSED) OPENED else emptyList()
+
     private val number = version.split('.').map { it.toInt() }.let { it[0] * 1000 + it[1] }
 
     /** Measured: 1.9.25 reads a library of Kotlin 2.3 when told to, 1.6.21 does not whatever it is told. */
@@ -42,7 +45,7 @@ public class KotlinCompiler internal constructor(
         java(arguments(sources, libraries, classes), listOfNotNull(archive?.takeIf { it.exists() }?.let { "-XX:SharedArchiveFile=$it" }))
 
     private fun java(arguments: List<String>, options: List<String>) =
-        JavaCommand(jars, MAIN, arguments, HEAP_MEGABYTES, SILENT + OPENED + options).command()
+        JavaCommand(jars, MAIN, arguments, HEAP_MEGABYTES, SILENT + opened + options).command()
 
     private fun arguments(sources: List<Path>, libraries: List<Path>, classes: Path): List<String> =
         listOf(
@@ -99,11 +102,11 @@ public class KotlinCompiler internal constructor(
 
         /** Kotlin 1.6 was the first to write Java 17's class files. */
         const val KNOWS_17 = 1006
+        const val CLOSED = 1005
         const val READS_AHEAD = 1009
         const val WARM_UP_SECONDS = 120L
         val SILENT = listOf("-Xlog:disable", "-Xlog:all=off", "-Dkotlin.colors.enabled=false")
 
-        /** Compilers older than 1.5 reach into the JDK. */
         val OPENED = listOf("java.lang", "java.util", "java.io", "java.util.concurrent.atomic").flatMap {
             listOf("--add-opens", "java.base/$it=ALL-UNNAMED")
         }

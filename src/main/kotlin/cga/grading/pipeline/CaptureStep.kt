@@ -22,7 +22,7 @@ internal class CaptureStep(
     /** The capture file, which nobody has looked into yet. Throws [Stopped] where there is none. */
     fun capture(submission: Submission, main: String, compiled: Compiled, scratch: Path, run: Run): Path {
         val file = scratch.resolve(NAME)
-        val command = WorkerFiles.command(WorkerRun(listOf(compiled.classes), programs.worker, main, file))
+        val command = WorkerFiles.command(WorkerRun(listOf(compiled.classes), programs.worker, main, file, programs.workerArchive.options))
         val readOnly = programs.readable + compiled.runtime + listOf(compiled.classes, submission.root)
         val outcome =
             sandbox.run(Job(command, scratch, readOnly, JavaCommand.MESA, workingDirectory = submission.workingDirectory, limits = limits))

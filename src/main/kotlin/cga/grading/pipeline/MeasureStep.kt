@@ -23,8 +23,9 @@ internal class MeasureStep(
     /** The findings, their pictures put into [folder]. Throws [Stopped]. */
     fun measure(submission: Submission, capture: Path, scratch: Path, folder: Path, run: Run): Findings {
         val arguments = listOf(capture.toString(), scratch.toString(), submission.edition.edition.id)
-        val command = JavaCommand(programs.own, MAIN, arguments).command()
-        val outcome = sandbox.run(Job(command, scratch, programs.own + listOf(capture), JavaCommand.MESA, limits = limits))
+        val command = JavaCommand(programs.own, MAIN, arguments, options = programs.ownArchive.options).command()
+        val readOnly = programs.own + listOfNotNull(programs.ownArchive.file, capture)
+        val outcome = sandbox.run(Job(command, scratch, readOnly, JavaCommand.mesaCachingIn(scratch.resolve("shaders")), limits = limits))
         run.note("measuring", outcome)
         // Nothing of the submission's but its shaders runs there: they are what took too long or brought the driver down.
         checkEnd("Drawing with its shaders", outcome, CODES, FailureReason.INTERNAL)

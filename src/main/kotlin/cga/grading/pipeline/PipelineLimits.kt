@@ -7,7 +7,7 @@ import cga.grading.sandbox.Limits
  *
  * @param compile measured: the course's own 3300 lines take 6 s of processor time and 400 MB.
  * @param run of the submission itself: an honest one takes about 3 s and 450 MB.
- * @param measure of its shaders: about 11 s and 430 MB, the expected pictures included.
+ * @param measure of its shaders: about 5 s and 430 MB, the expected pictures included.
  */
 public class PipelineLimits(
     public val compile: Limits = Limits(wallSeconds = 120.0, cpuSeconds = 180.0),

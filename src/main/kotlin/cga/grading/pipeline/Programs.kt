@@ -2,10 +2,15 @@ package cga.grading.pipeline
 
 import cga.grading.capture.StandIn
 import cga.grading.capture.WorkerFiles
+import cga.grading.sandbox.ClassArchive
+import cga.grading.sandbox.JavaCommand
 import java.io.File
+import java.nio.file.Files
 import java.nio.file.Path
 import kotlin.io.path.createDirectories
 import kotlin.io.path.createTempFile
+import kotlin.io.path.deleteExisting
+import kotlin.io.path.exists
 import kotlin.io.path.moveTo
 
 /** What the processes in the sandbox are made of: the worker's jar, which is written to [home], the libraries, and this program itself. */
@@ -17,26 +22,45 @@ internal class Programs(home: Path) {
     private val libraries: List<Path> = WorkerFiles.libraries().map { it.toRealPath() }
 
     init {
-        // Another grader may be reading it: it is replaced as a whole, by the same.
+        // Another grader may be reading it: it is replaced as a whole, and only where it is another one, as an archive was made of it.
         val fresh = createTempFile(worker.parent, "worker", ".jar")
         WorkerFiles.writeJar(fresh)
         // A temporary file is its owner's alone, and the sandbox has another user.
         fresh.toFile().setReadable(true, false)
-        fresh.moveTo(worker, overwrite = true)
+        if (worker.exists() && Files.mismatch(fresh, worker) == -1L) fresh.deleteExisting() else fresh.moveTo(worker, overwrite = true)
     }
 
     /** What a submission is compiled against; Kotlin's library comes with the compiler. */
     val forSubmissions: List<Path> = libraries.filterNot { it.fileName.toString().startsWith("kotlin-stdlib") } + listOf(worker)
 
     /** What runs a submission must be able to read, its own files aside. */
-    val readable: List<Path> = libraries + listOf(worker)
+    val readable: List<Path> get() = libraries + listOfNotNull(worker, workerArchive.file)
+
+    /** The classes of [worker] and the libraries. */
+    val workerArchive: ClassArchive by lazy {
+        ClassArchive.of(home.toRealPath(), "worker", WorkerFiles.own(worker), WorkerFiles.FLAGS, rehearsal, OURS)
+    }
 
     /** This program's own class path, `lib/` and all. */
     val own: List<Path> =
         System.getProperty("java.class.path").split(File.pathSeparator).flatMap(::expanded).map { it.toRealPath() }
 
+    /** The classes of [own]. */
+    val ownArchive: ClassArchive by lazy {
+        ClassArchive.of(home.toRealPath(), "measure", own, JavaCommand.commonOptions(), rehearsal, OURS)
+    }
+
+    /** Opens a window of the worker's and ends. */
+    private val rehearsal: List<String> get() = listOf("cga.grading.worker.WorkerMain", "cga.grading.worker.Trial", "/dev/null")
+
     /** The class that takes the place of the submission's window, whose source is [original]. */
     fun standIn(original: String?): String = StandIn(original).source()
+
+    private companion object {
+        /** More than one window needs. */
+        val OURS =
+            listOf("cga/framework/", "cga/grading/", "cga/reference/", "org/joml/", "kotlin/collections/", "kotlin/jvm/internal/")
+    }
 
     private fun expanded(entry: String): List<Path> {
         if (!entry.endsWith("*")) return listOf(Path.of(entry)).filter { it.toFile().exists() }

@@ -1,0 +1,120 @@
+package cga.grading.sandbox
+
+import java.io.File
+import java.io.IOException
+import java.nio.file.Path
+import java.util.concurrent.TimeUnit.SECONDS
+import java.util.jar.JarFile
+import kotlin.io.path.ExperimentalPathApi
+import kotlin.io.path.createTempDirectory
+import kotlin.io.path.deleteIfExists
+import kotlin.io.path.deleteRecursively
+import kotlin.io.path.exists
+import kotlin.io.path.fileSize
+import kotlin.io.path.getLastModifiedTime
+import kotlin.io.path.isRegularFile
+import kotlin.io.path.listDirectoryEntries
+import kotlin.io.path.moveTo
+import kotlin.io.path.readLines
+import kotlin.io.path.writeLines
+
+/**
+ * Classes of our own, parsed and verified once for this JDK, which a job maps instead of loading them: a start costs a second less.
+ *
+ * What a submission wrote never goes into one. A job whose class path begins with [classPath] may use it.
+ *
+ * @param file the archive, null where none could be made: jobs then start without.
+ */
+internal class ClassArchive private constructor(
+    val file: Path?,
+) {
+    /** Options for the JVM; a JVM that cannot use the archive goes on without, and says nothing among the job's own output. */
+    val options: List<String> = file?.let { listOf("-XX:SharedArchiveFile=$it", "-Xlog:disable", "-Xlog:all=off") }.orEmpty()
+
+    companion object {
+        private const val SECONDS_TO_MAKE = 60L
+        private val JAVA = "${Path.of(System.getProperty("java.home"), "bin", "java")}"
+
+        /** What the JDK itself would have in its own archive, which ours takes the place of. */
+        private val JDK_CLASSES = Path.of(System.getProperty("java.home"), "lib", "classlist")
+
+        /** No archive at all. */
+        val NONE = ClassArchive(null)
+
+        /**
+         * The archive [name] in [folder], made where it is not there or not of these jars.
+         *
+         * @param rehearsal arguments of a JVM that loads what the jobs load, after [options] and the class path.
+         * @param prefixes names that begin so are archived too where a jar has them, such as `org/joml/`.
+         */
+        fun of(
+            folder: Path,
+            name: String,
+            classPath: List<Path>,
+            options: List<String>,
+            rehearsal: List<String>,
+            prefixes: List<String> = emptyList(),
+        ): ClassArchive {
+            // The JVM archives no folders; they change under a developer's hands besides.
+            if (classPath.any { !it.isRegularFile() }) return NONE
+            val jars = classPath.map { "$it ${it.fileSize()} ${it.getLastModifiedTime()}" }
+            val state = jars + options + prefixes + System.getProperty("java.vm.version")
+            val file = folder.resolve("$name-${Integer.toHexString(state.hashCode())}.jsa")
+            val path = listOf("-cp", classPath.joinToString(File.pathSeparator))
+            if (!file.exists()) make(file, name, path, options, rehearsal, named(classPath, prefixes))
+            return ClassArchive(file.takeIf { it.exists() })
+        }
+
+        @OptIn(ExperimentalPathApi::class)
+        private fun make(
+            file: Path,
+            name: String,
+            classPath: List<String>,
+            options: List<String>,
+            rehearsal: List<String>,
+            more: List<String>,
+        ) {
+            val folder = createTempDirectory(file.parent, "archive")
+            try {
+                val list = folder.resolve("classes")
+                val made = folder.resolve("made.jsa")
+                val quiet = options + listOf("-Xlog:disable", "-Xlog:all=off")
+                run(quiet + "-XX:DumpLoadedClassList=$list" + classPath + rehearsal)
+                if (!list.exists()) return
+                val standard = if (JDK_CLASSES.exists()) JDK_CLASSES.readLines() else emptyList()
+                list.writeLines(list.readLines() + standard.filterNot { it.startsWith("#") } + more)
+                run(quiet + listOf("-Xshare:dump", "-XX:SharedClassListFile=$list", "-XX:SharedArchiveFile=$made") + classPath)
+                if (!made.exists()) return
+                file.parent.listDirectoryEntries("$name-*.jsa").forEach { it.deleteIfExists() }
+                // Others may be making it too: whoever is last replaces it with the same.
+                made.moveTo(file, overwrite = true)
+            } catch (_: IOException) {
+                // Every start is a little slower.
+            } finally {
+                folder.deleteRecursively()
+            }
+        }
+
+        private fun run(arguments: List<String>) {
+            val builder = ProcessBuilder(listOf(JAVA) + arguments)
+            builder.environment() += JavaCommand.MESA
+            val process = builder.redirectError(ProcessBuilder.Redirect.DISCARD).redirectOutput(ProcessBuilder.Redirect.DISCARD).start()
+            if (!process.waitFor(SECONDS_TO_MAKE, SECONDS)) process.destroyForcibly()
+        }
+
+        private fun named(
+            jars: List<Path>,
+            prefixes: List<String>,
+        ): List<String> =
+            jars.flatMap { jar ->
+                JarFile(jar.toFile()).use { file ->
+                    file
+                        .stream()
+                        .map { it.name }
+                        .filter { name -> name.endsWith(".class") && prefixes.any(name::startsWith) }
+                        .map { it.removeSuffix(".class") }
+                        .toList()
+                }
+            }
+    }
+}

@@ -14,6 +14,8 @@ import org.junit.jupiter.api.Assertions.assertTrue
 import org.junit.jupiter.api.Test
 import org.junit.jupiter.api.extension.ExtendWith
 import org.junit.jupiter.api.io.TempDir
+import org.junit.jupiter.params.ParameterizedTest
+import org.junit.jupiter.params.provider.ValueSource
 import java.nio.file.Path
 import kotlin.math.abs
 
@@ -64,6 +66,17 @@ class ScenePicturesTest {
             listOf(null, Check.POINT_LIGHT, Check.POINT_LIGHT, Check.SPOT_LIGHT),
             all.map { it.check }.sortedBy { it?.ordinal ?: -1 },
         )
+    }
+
+    @ParameterizedTest
+    @ValueSource(strings = ["emission diffuse specular", "emission diffuse", ""])
+    fun `with a gamma the expected picture is encoded as well, from textures decoded as the submission's`(decoded: String) {
+        val fragment = decoded.split(' ').filter(String::isNotEmpty).fold(CourseShaders.FRAGMENT) { text, name ->
+            text.replace(Regex("""vec3 $name = (texture\([^)]*\)\.rgb)"""), "vec3 $name = pow($1, vec3(2.2))")
+        }
+        val whole = pictures(fragment.replace("vec4(result, 1.0)", "vec4(pow(result, vec3(1.0 / 2.2)), 1.0)")).first()
+        // Texels of 8 bits that are decoded to 8 bits are off by half of 1/255, which the encoding of what is dark makes 2 and more.
+        assertTrue(differing(whole) < 0.05) { "${differing(whole)}" }
     }
 
     @Test

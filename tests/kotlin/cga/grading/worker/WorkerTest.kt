@@ -72,6 +72,17 @@ class WorkerTest {
     }
 
     @Test
+    fun `callbacks that a student sets on the window are called, and not the window's own`() {
+        val run = WorkerProcess.ofStudent("Caller")
+        val lines = run.out.trim().lines()
+        assertTrue("key 87 action 1 mods 0 held true" in lines, "$run")
+        assertTrue("key 342 action 1 mods 4 held true" in lines, "$run")
+        assertEquals(Moment.entries.mapNotNull { it.mouse }.map { "cursor ${it.x} ${it.y}" }, lines.filter { it.startsWith("cursor") })
+        assertTrue(lines.none { it.startsWith("on") }, "$run")
+        assertReplays(run)
+    }
+
+    @Test
     fun `what changes between two draws is captured as it was at each`() {
         val run = WorkerProcess.ofStudent("Changer")
         assertEquals(emptyList<String>(), run.capture.events.map { "${it.kind} ${it.text}" })

@@ -30,6 +30,9 @@ import org.joml.Vector3f
 import org.lwjgl.opengl.GL33C.GL_LINEAR
 import org.lwjgl.opengl.GL33C.GL_REPEAT
 import kotlin.math.PI
+import kotlin.math.abs
+import kotlin.math.pow
+import kotlin.math.roundToInt
 
 /**
  * What a captured picture should look like, for the reference to shade: the submission's own meshes, textures, places, colours and angles,
@@ -42,7 +45,7 @@ internal class ExpectedFrame(
     private val materials: Materials,
     private val wrong: Verdict,
 ) {
-    private val textures = HashMap<Int, FrameTexture>()
+    private val textures = HashMap<Pair<Int, Double>, FrameTexture>()
     private val surfaces = HashMap<CapturedFrame, List<Surface>>()
     private val isKWrong = K_CHECKS.any { check -> wrong.checks.any { it.check == check && (it.error ?: 0.0) > SOUND } }
 
@@ -67,15 +70,14 @@ internal class ExpectedFrame(
     ): Frame? {
         if (!observed.view.isUsable()) return null
         val surfaces = surfaces.getOrPut(frame) { materials.of(frame, observed.view).orEmpty() }.ifEmpty { return null }
-        // Textures that are decoded or encoded on the way are no plain factors.
-        if (surfaces.any { it.gamma != 1.0 }) return null
+        val gamma = surfaces.map { meant(it.gamma) }.distinct().singleOrNull() ?: return null
         val fromView = Matrix4d(observed.view).invert()
         return Frame(
             view = rigidPart(fromView).invert(),
             projection = Matrix4f(observed.projection),
             ambient = Vector3f(surfaces.first().ambient?.takeIf { emission } ?: Vector3d()),
             specularModel = SpecularModel.BLINN_PHONG,
-            gamma = 1f,
+            gamma = gamma.toFloat(),
             pointLights = lights.filter { it.spot == null }.mapNotNull { point(it, fromView) },
             spotLights = lights.mapNotNull { light -> light.spot?.let { spot(light, it, fromView) } },
             draws = surfaces.map { draw(it, emission) ?: return null },
@@ -136,9 +138,9 @@ internal class ExpectedFrame(
         val specular = if (isSwapped) surface.diffuse else surface.specular
         val material =
             FrameMaterial(
-                emissive = texture(surface.emission.takeIf { emission }) ?: return null,
-                diffuse = texture(diffuse) ?: return null,
-                specular = texture(specular) ?: return null,
+                emissive = texture(surface.emission.takeIf { emission }, surface) ?: return null,
+                diffuse = texture(diffuse, surface) ?: return null,
+                specular = texture(specular, surface) ?: return null,
                 shininess = surface.exponent.takeIf { it.isFinite() && it >= 0 }?.toFloat() ?: return null,
                 tcMultiplier = Vector2f(1f),
             )
@@ -146,14 +148,27 @@ internal class ExpectedFrame(
         return FrameDraw(surface.vertices, surface.indices, surface.model, tint, material)
     }
 
-    /** Texture [number], black for none; null where its texels are not linear. */
-    private fun texture(number: Int?): FrameTexture? {
+    /** Texture [number] as [surface] reads it, black for none; null where its texels are decoded by OpenGL. */
+    private fun texture(number: Int?, surface: Surface): FrameTexture? {
         if (number == null) return BLACK
         val captured = capture.textures.getOrNull(number)?.takeUnless { it.srgb } ?: return null
-        return textures.getOrPut(number) {
-            val image = TextureImage(ImageData(captured.width, captured.height, topFirst(captured)), mipmaps = captured.levels.size > 1)
+        val power = meant(surface.powers[number] ?: 1.0)
+        return textures.getOrPut(number to power) {
+            val stored = TextureImage(ImageData(captured.width, captured.height, topFirst(captured)), mipmaps = captured.levels.size > 1)
+            // As a shader does it: what is read has been made smaller already.
+            val image = TextureImage(stored.levels.map { TextureImage.Level(it.width, it.height, raised(it.rgba, power)) })
             FrameTexture(image, captured.wrapS, captured.wrapT, captured.minFilter, captured.magFilter)
         }
+    }
+
+    /** A gamma that is none, or the usual one; the wrong way round, or of another size, was never meant. */
+    private fun meant(gamma: Double): Double = if (abs(gamma - 1) < PLAIN) 1.0 else GAMMA
+
+    /** [rgba] with colours to the power of [power]: rounded to 8 bits, which no eye sees once the light is encoded again. */
+    private fun raised(rgba: ByteArray, power: Double): ByteArray {
+        if (power == 1.0) return rgba
+        val powers = ByteArray(BYTES) { (BYTE * (it / BYTE).pow(power)).roundToInt().toByte() }
+        return ByteArray(rgba.size) { if (it % 4 == 3) rgba[it] else powers[rgba[it].toInt() and 0xFF] }
     }
 
     private fun topFirst(texture: CapturedTexture): ByteArray {
@@ -165,6 +180,12 @@ internal class ExpectedFrame(
     private companion object {
         val K_CHECKS = listOf(Check.ATTENUATION_FORM, Check.ATTENUATION_POINT, Check.ATTENUATION_SPOT)
         const val SOUND = 0.02
+
+        /** The later edition's. */
+        const val GAMMA = 2.2
+        const val PLAIN = 0.1
+        const val BYTES = 256
+        const val BYTE = 255.0
 
         /** Table 1 of the sheet. */
         val POINT_K: Vector3dc = Vector3d(1.0, 0.5, 0.1)

@@ -3,7 +3,6 @@ package cga.grading.compile
 import java.nio.file.Path
 import java.util.concurrent.ConcurrentHashMap
 import kotlin.io.path.exists
-import kotlin.io.path.name
 import kotlin.math.abs
 
 /**
@@ -32,12 +31,12 @@ public class CompilerCache(
     }
 
     /**
-     * [library] as [compiler] can read it. The lists of Kotlin functions that newer compilers put into jars break older ones; without them
-     * a library is plain Java to Kotlin, as JOML was when those compilers were new.
+     * [library] as [compiler] can read it. What newer compilers put into jars breaks older ones; without that a library is plain Java to
+     * Kotlin, as JOML was when those compilers were new.
      */
     internal fun readable(library: Path, compiler: KotlinCompiler): Path {
         if (compiler.readsAnyMetadata || !PlainJar.isNeeded(library)) return library
-        val plain = folder.resolve("plain-${library.name}")
+        val plain = folder.resolve(PlainJar.name(library))
         if (!plain.exists()) PlainJar.write(library, plain)
         return plain
     }

@@ -82,7 +82,7 @@ public class KotlinCompiler internal constructor(
             ).redirectErrorStream(true)
                 .redirectOutput(folder.resolve("log").toFile())
                 .start()
-            if (!process.waitFor(WARM_UP_SECONDS, SECONDS)) process.destroyForcibly()
+            if (!process.waitFor(WARM_UP_SECONDS, SECONDS)) process.destroyForcibly().waitFor()
             // Others may be making it too: whoever is last replaces it with the same.
             if (process.exitValue() == 0 && made.exists()) made.moveTo(archive, overwrite = true)
         } catch (e: IOException) {

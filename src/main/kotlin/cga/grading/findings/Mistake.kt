@@ -80,5 +80,6 @@ public enum class Mistake(
     // Anywhere
     GAMMA_DIRECTION("gamma-wrong-direction", Check.MATERIAL),
     GLSL_DRIVER("glsl-only-some-drivers", Check.ORDER),
+    KOTLIN_REFUSED("kotlin-refused", Check.ORDER),
     UNKNOWN("unknown", Check.DIFFUSE),
 }

@@ -19,13 +19,13 @@ internal class CaptureStep(
     private val programs: Programs,
     private val limits: Limits,
 ) {
-    /** The capture file, which nobody has looked into yet. Throws [Stopped] where there is none. */
-    fun capture(submission: Submission, main: String, compiled: Compiled, scratch: Path, run: Run): Path {
+    /** The capture file, which nobody has looked into yet, of [submission] started in [start]. Throws [Stopped] where there is none. */
+    fun capture(submission: Submission, start: Path, main: String, compiled: Compiled, scratch: Path, run: Run): Path {
         val file = scratch.resolve(NAME)
         val command = WorkerFiles.command(WorkerRun(listOf(compiled.classes), programs.worker, main, file, programs.workerArchive.options))
-        val readOnly = programs.readable + compiled.runtime + listOf(compiled.classes, submission.root)
+        val readOnly = programs.readable + compiled.runtime + listOf(compiled.classes, submission.root, start)
         val outcome =
-            sandbox.run(Job(command, scratch, readOnly, JavaCommand.MESA, workingDirectory = submission.workingDirectory, limits = limits))
+            sandbox.run(Job(command, scratch, readOnly, JavaCommand.MESA, workingDirectory = start, limits = limits))
         run.note("the program's output", outcome)
         // Any code may be the submission's own: that there is no OpenGL is believed to a program of ours only.
         if (outcome.end == End.Exited(NO_OPENGL) && !hasOpenGl(scratch)) {

@@ -2,7 +2,9 @@ package cga.grading.pipeline
 
 import cga.framework.InputError
 import cga.grading.compile.CompilerCache
+import cga.grading.compile.CompileResult
 import cga.grading.compile.LibraryUnavailable
+import cga.grading.compile.Repair
 import cga.grading.compile.SubmissionCompiler
 import cga.grading.course.CheckListener
 import cga.grading.course.GradeOne
@@ -13,6 +15,7 @@ import cga.grading.sandbox.Sandbox
 import cga.grading.sandbox.Scratch
 import cga.grading.submission.Edition
 import cga.grading.submission.NotASubmission
+import cga.grading.submission.SourceFile
 import cga.grading.submission.Submission
 import cga.grading.submission.SubmissionReader
 import java.nio.file.Path
@@ -53,8 +56,10 @@ public class Pipeline(
         run.edition = submission.edition.edition.title
         val main = submission.mainClass ?: throw Stopped(FailureReason.NOT_RECOGNIZED, "There is no main function to start.")
         val compiled = run.timed("compile") { compile(submission, work.resolve("compile").createDirectories(), run) }
+        val start = RunFolder(submission, work.resolve("assets"))
         val capture = run.timed("run") {
-            CaptureStep(sandbox, programs, limits.run).capture(submission, main, compiled, work.resolve("run").createDirectories(), run)
+            val scratch = work.resolve("run").createDirectories()
+            CaptureStep(sandbox, programs, limits.run).capture(submission, start.folder, main, compiled, scratch, run)
         }
         return run
             .timed("measure") {
@@ -63,7 +68,7 @@ public class Pipeline(
                     programs,
                     limits.measure,
                 ).measure(submission, capture, work.resolve("measure").createDirectories(), folder, run)
-            }.let { run.graded(it, submission.notes + compiled.notes) }
+            }.let { run.graded(compiled.replaced.applied(it), submission.notes + start.notes + compiled.notes) }
     }
 
     private fun read(given: Path, work: Path): Submission =
@@ -80,30 +85,47 @@ public class Pipeline(
             it.packageName == "cga.framework" &&
                 it.path.fileName.toString().substringBeforeLast('.') == "GameWindow"
         }
-        val result =
+        val standIn = mapOf("cga.framework.GameWindow" to programs.standIn(window?.text))
+
+        // A folder for each round: what was left out must not lie about.
+        var rounds = 0
+
+        fun compile(sources: List<SourceFile>) =
             try {
-                compiler.compile(submission, scratch, mapOf("cga.framework.GameWindow" to programs.standIn(window?.text)))
+                compiler.compile(submission.with(sources), scratch.resolve("${++rounds}").createDirectories(), standIn)
             } catch (e: LibraryUnavailable) {
                 throw Stopped(FailureReason.NO_COMPILER, e.message.orEmpty())
             }
+        val result = compile(submission.sources)
         run.compiler = result.compiler
-        val classes = result.classes
-        if (classes == null) {
-            val lines = result.errors.map { e -> listOfNotNull(e.file, e.line.takeIf { it > 0 }).joinToString(":") + ": " + e.message }
-            run.log("compiler", lines.joinToString("\n"))
-            throw Stopped(FailureReason.DOES_NOT_COMPILE, lines.take(MOST_ERRORS).joinToString("\n"))
-        }
-        return Compiled(classes, result.runtime, result.notes)
+        result.classes?.let { return Compiled(it, result.runtime, result.notes) }
+        val lines = lines(result)
+        run.log("compiler", lines.joinToString("\n"))
+        val repaired = Repair(submission, ::compile).repaired(result)
+        val classes = repaired?.result?.classes ?: throw Stopped(FailureReason.DOES_NOT_COMPILE, lines.take(MOST_ERRORS).joinToString("\n"))
+        run.compiler = repaired.result.compiler
+        val files = repaired.files.map { "$it does not compile: " + if (it in repaired.leftOut) LEFT_OUT else REPLACED }
+        val notes = (result.notes + files + lines.take(MOST_ERRORS) + repaired.result.notes).distinct()
+        return Compiled(classes, repaired.result.runtime, notes, ReplacedFiles(repaired.files))
     }
+
+    private fun lines(result: CompileResult) =
+        result.errors.map { e -> listOfNotNull(e.file, e.line.takeIf { it > 0 }).joinToString(":") + ": " + e.message }
 
     private companion object {
         const val MOST_ERRORS = 5
+        const val REPLACED = "the reference's file took its place."
+        const val LEFT_OUT = "it was left out."
     }
 }
 
-/** A submission's classes, the libraries they need besides ours, and what the report should say of how they were compiled. */
+/**
+ * A submission's classes, the libraries they need besides ours, what the report should say of how they were compiled, and which of its files
+ * were replaced.
+ */
 internal class Compiled(
     val classes: Path,
     val runtime: List<Path>,
     val notes: List<String>,
+    val replaced: ReplacedFiles = ReplacedFiles(emptyList()),
 )

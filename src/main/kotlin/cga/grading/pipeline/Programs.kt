@@ -38,7 +38,7 @@ internal class Programs(home: Path) {
 
     /** The classes of [worker] and the libraries. */
     val workerArchive: ClassArchive by lazy {
-        ClassArchive.of(home.toRealPath(), "worker", WorkerFiles.own(worker), WorkerFiles.FLAGS, rehearsal, OURS)
+        ClassArchive.of(home.toRealPath(), "worker", WorkerFiles.own(worker), WorkerFiles.FLAGS, OURS, ::rehearsal)
     }
 
     /** This program's own class path, `lib/` and all. */
@@ -47,11 +47,12 @@ internal class Programs(home: Path) {
 
     /** The classes of [own]. */
     val ownArchive: ClassArchive by lazy {
-        ClassArchive.of(home.toRealPath(), "measure", own, JavaCommand.commonOptions(), rehearsal, OURS)
+        ClassArchive.of(home.toRealPath(), "measure", own, JavaCommand.commonOptions(), OURS, ::rehearsal)
     }
 
-    /** Opens a window of the worker's and ends. */
-    private val rehearsal: List<String> get() = listOf("cga.grading.worker.WorkerMain", "cga.grading.worker.Trial", "/dev/null")
+    /** Opens a window of the worker's and ends; what it captures goes into [folder]. */
+    private fun rehearsal(folder: Path): List<String> =
+        listOf("cga.grading.worker.WorkerMain", "cga.grading.worker.Trial", "${folder.resolve("capture")}")
 
     /** The class that takes the place of the submission's window, whose source is [original]. */
     fun standIn(original: String?): String = StandIn(original).source()

@@ -2,6 +2,7 @@ package cga.grading.report
 
 import cga.framework.AtomicFile
 import cga.framework.InputError
+import cga.grading.compile.ReferenceSources
 import java.net.URI
 import java.nio.file.FileSystem
 import java.nio.file.FileSystems
@@ -41,7 +42,7 @@ public object AutograderZip {
     private const val NAME = "autograder.zip"
     private val PROGRAM =
         listOf("cga", "LICENSE", "pom.xml", "build.gradle.kts", "settings.gradle.kts", "gradle.properties", "gradlew", "gradle", "src") +
-            listOf("shaders", "assets", "build/cga/lib", "build/cga/stamp")
+            listOf("shaders", "assets", ReferenceSources.COURSE, "build/cga/lib", "build/cga/stamp")
 
     // Gradescope's machines run Linux.
     private val FOREIGN = Regex(""".*natives-(windows|macos).*\.jar""")

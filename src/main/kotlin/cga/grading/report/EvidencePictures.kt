@@ -57,7 +57,7 @@ internal class EvidencePictures(
     private fun view(id: String, evidence: Evidence): EvidenceView? {
         val measured = read(evidence.measured) ?: return null
         val expected = evidence.expected?.let(::read)?.takeIf { it.width == measured.width && it.height == measured.height }
-        val title = cleanLine(evidence.title)
+        val title = cleanLine(messages.say(evidence.title))
         return EvidenceView(
             evidence,
             EmbeddedPicture("$id-measured", "$title, ${messages.text("page.yours")}", measured),

@@ -60,7 +60,7 @@ public object GradescopeResults {
                 listOf(
                     words.title,
                     words.text,
-                    clean(refusal.detail.take(DETAIL)),
+                    clean(messages.say(refusal.detail.take(DETAIL))),
                     "${messages.text("page.hint")}: ${words.hint}",
                 ) + blame +
                     logs
@@ -86,7 +86,7 @@ public object GradescopeResults {
         val points = check.points
         val cause = check.cause?.let(messages::of)
         val lines =
-            listOf(messages.of(check.state), words.text, cause?.title.orEmpty(), clean(check.text)) +
+            listOf(messages.of(check.state), words.text, cause?.title.orEmpty(), clean(messages.say(check.text))) +
                 if (points != null && points < check.maximum) listOf((cause ?: words).hint) else emptyList()
         return buildJsonObject {
             if (points != null) {

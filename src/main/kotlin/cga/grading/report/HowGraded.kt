@@ -16,12 +16,12 @@ internal fun FlowContent.howGraded(submission: GradedSubmission, messages: Messa
         dl {
             val stages = facts.seconds.entries.joinToString(
                 " · ",
-            ) { (stage, seconds) -> "${cleanLine(stage)} ${messages.number(seconds)} s" }
+            ) { (stage, seconds) -> "${cleanLine(messages.say(stage))} ${messages.number(seconds)} s" }
             val rows =
                 listOf(
-                    "page.kind" to facts.kind,
-                    "page.edition" to facts.edition,
-                    "page.compiler" to facts.compiler,
+                    "page.kind" to facts.kind?.let(messages::say),
+                    "page.edition" to facts.edition?.let(messages::say),
+                    "page.compiler" to facts.compiler?.let(messages::say),
                     "page.rubric" to submission.rubric.name,
                     "page.seconds" to messages.number(submission.seconds) + " s" + if (stages.isEmpty()) "" else " ($stages)",
                     "page.memory" to facts.peakBytes?.let { "${it shr 20} MiB" },
@@ -35,7 +35,7 @@ internal fun FlowContent.howGraded(submission: GradedSubmission, messages: Messa
         for (log in facts.logs.take(MOST_LOGS)) {
             details("log") {
                 open = refused
-                summary { +messages.text("page.log", cleanLine(log.title)) }
+                summary { +messages.text("page.log", cleanLine(messages.say(log.title))) }
                 pre {
                     attributes["tabindex"] = "0"
                     +excerpt(log.text)

@@ -46,7 +46,7 @@ public object JUnitXml {
         val cases: List<Case> =
             submission.refusal?.let { refusal ->
                 val words = messages.of(refusal.reason)
-                listOf(Case("graded", "error", refusal.reason.id, words.title, "${words.text}\n${refusal.detail}"))
+                listOf(Case("graded", "error", refusal.reason.id, words.title, "${words.text}\n${messages.say(refusal.detail)}"))
             } ?: submission.grade?.checks.orEmpty().filter { it.maximum > 0 }.map { case(it, messages) }
 
         fun write(xml: XMLStreamWriter) {
@@ -72,13 +72,13 @@ public object JUnitXml {
             val name = "${check.check.id} ${words.title}"
             val points = check.points
             return when {
-                points == null -> Case(name, "skipped", message = messages.of(CheckState.OPEN), text = check.text)
+                points == null -> Case(name, "skipped", message = messages.of(CheckState.OPEN), text = messages.say(check.text))
                 points >= check.maximum -> Case(name, null)
                 else -> {
                     val title = check.cause?.let { messages.of(it).title } ?: messages.of(check.state)
                     val hint = check.cause?.let { messages.of(it).hint } ?: words.hint
                     val score = messages.text("page.of", messages.number(points), messages.number(check.maximum))
-                    Case(name, "failure", check.cause?.id ?: check.state.id, title, "$score\n${check.text}\n$hint")
+                    Case(name, "failure", check.cause?.id ?: check.state.id, title, "$score\n${messages.say(check.text)}\n$hint")
                 }
             }
         }

@@ -12,6 +12,11 @@ internal class Messages private constructor(
     val language: Language,
     private val entries: Map<String, String>,
 ) {
+    private val phrases by lazy { Phrases.of(this) }
+
+    /** What the analysis [said] in this language, in words for students; in its own where there are none. */
+    fun say(said: String): String = phrases.say(said.trim())
+
     /** All keys. */
     val keys: Set<String> get() = entries.keys
 

@@ -45,7 +45,7 @@ private fun FlowContent.card(found: Found, lost: Double, proofs: List<EvidenceVi
                 if (found.mistake != Mistake.UNKNOWN) span("cost") { +cost(found, lost, messages) }
             }
             p { +words.text }
-            if (found.where.isNotBlank()) p("figures") { +"${messages.text("page.where")}: ${cleanLine(found.where)}" }
+            if (found.where.isNotBlank()) p("figures") { +"${messages.text("page.where")}: ${cleanLine(messages.say(found.where))}" }
             if (found.alternatives.isNotEmpty()) {
                 p {
                     +messages.text(
@@ -64,7 +64,7 @@ private fun FlowContent.card(found: Found, lost: Double, proofs: List<EvidenceVi
 }
 
 private fun FlowContent.proof(view: EvidenceView, messages: Messages) {
-    p("caption") { +cleanLine(view.evidence.title) }
+    p("caption") { +cleanLine(messages.say(view.evidence.title)) }
     div(if (view.expected == null) "alone" else "pairing") { pair(view, messages) }
 }
 

@@ -16,7 +16,7 @@ internal fun FlowContent.mainPicture(pictures: EvidencePictures, messages: Messa
         }
         div("pairing") { pair(first, messages) }
         for (view in pictures.main.drop(1)) {
-            p("caption") { +cleanLine(view.evidence.title) }
+            p("caption") { +cleanLine(messages.say(view.evidence.title)) }
             div("pairing") { pair(view, messages) }
         }
     }
@@ -30,7 +30,7 @@ internal fun FlowContent.lights(pictures: EvidencePictures, messages: Messages) 
         div("lights") {
             for (view in pictures.others) {
                 div {
-                    p("caption") { +cleanLine(view.evidence.title) }
+                    p("caption") { +cleanLine(messages.say(view.evidence.title)) }
                     div("pairing") { pair(view, messages) }
                 }
             }

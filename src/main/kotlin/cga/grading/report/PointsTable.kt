@@ -80,14 +80,10 @@ private fun TD.what(check: CheckGrade, messages: Messages) {
         state == CheckState.NOT_FOUND -> p("remark") { +words.hint }
         else -> Unit
     }
-    if (check.text.isNotBlank()) {
-        p("remark") {
-            // The analysis writes its figures in English.
-            attributes["lang"] = "en"
-            +cleanLine(check.text)
-        }
-    }
+    if (check.text.isNotBlank()) p("remark") { +cleanLine(messages.say(check.text), MOST_SAID) }
 }
+
+private const val MOST_SAID = 600
 
 /** Never told by its colour alone. */
 internal fun sign(state: CheckState): String =

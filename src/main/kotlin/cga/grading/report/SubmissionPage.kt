@@ -42,7 +42,7 @@ public object SubmissionPage {
         lights(pictures, messages)
         val notes = findings.notes + pictures.complaints
         if (notes.isNotEmpty()) {
-            part(messages.text("page.notes")) { ul { notes.forEach { li { +cleanLine(it, NOTE) } } } }
+            part(messages.text("page.notes")) { ul { notes.forEach { li { +cleanLine(messages.say(it), NOTE) } } } }
         }
     }
 
@@ -79,10 +79,7 @@ public object SubmissionPage {
                 h2 { +words.title }
                 p { +words.text }
                 if (refusal.detail.isNotBlank()) {
-                    p("figures") {
-                        attributes["lang"] = "en"
-                        +cleanLine(refusal.detail, NOTE)
-                    }
+                    p("figures") { +cleanLine(messages.say(refusal.detail), NOTE) }
                 }
                 hint(words.hint, messages)
             }

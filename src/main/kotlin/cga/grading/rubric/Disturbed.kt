@@ -79,5 +79,5 @@ internal fun disturbedBy(mistake: Mistake): Set<Check> =
         Mistake.MOUSE_FACTOR, Mistake.MOUSE_JUMP -> ORBITING
         Mistake.MORE_LIGHTS_MISSING -> emptySet()
         Mistake.LATER_LIGHTS_FIRST_COSINE, Mistake.LATER_LIGHTS_FIRST_COLOR -> setOf(CONE_SPECULAR, HALF_VECTOR)
-        Mistake.UNKNOWN -> emptySet()
+        Mistake.KOTLIN_REFUSED, Mistake.UNKNOWN -> emptySet()
     }

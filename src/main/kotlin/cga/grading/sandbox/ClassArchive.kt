@@ -44,16 +44,17 @@ internal class ClassArchive private constructor(
         /**
          * The archive [name] in [folder], made where it is not there or not of these jars.
          *
-         * @param rehearsal arguments of a JVM that loads what the jobs load, after [options] and the class path.
          * @param prefixes names that begin so are archived too where a jar has them, such as `org/joml/`.
+         * @param rehearsal arguments of a JVM that loads what the jobs load, after [options] and the class path. What it writes is to go
+         * into the folder that it is given.
          */
         fun of(
             folder: Path,
             name: String,
             classPath: List<Path>,
             options: List<String>,
-            rehearsal: List<String>,
-            prefixes: List<String> = emptyList(),
+            prefixes: List<String>,
+            rehearsal: (Path) -> List<String>,
         ): ClassArchive {
             // The JVM archives no folders; they change under a developer's hands besides.
             if (classPath.any { !it.isRegularFile() }) return NONE
@@ -61,7 +62,7 @@ internal class ClassArchive private constructor(
             val state = jars + options + prefixes + System.getProperty("java.vm.version")
             val file = folder.resolve("$name-${Integer.toHexString(state.hashCode())}.jsa")
             val path = listOf("-cp", classPath.joinToString(File.pathSeparator))
-            if (!file.exists()) make(file, name, path, options, rehearsal, named(classPath, prefixes))
+            if (!file.exists()) make(file, name, path, options, named(classPath, prefixes), rehearsal)
             return ClassArchive(file.takeIf { it.exists() })
         }
 
@@ -71,15 +72,15 @@ internal class ClassArchive private constructor(
             name: String,
             classPath: List<String>,
             options: List<String>,
-            rehearsal: List<String>,
             more: List<String>,
+            rehearsal: (Path) -> List<String>,
         ) {
             val folder = createTempDirectory(file.parent, "archive")
             try {
                 val list = folder.resolve("classes")
                 val made = folder.resolve("made.jsa")
                 val quiet = options + listOf("-Xlog:disable", "-Xlog:all=off")
-                run(quiet + "-XX:DumpLoadedClassList=$list" + classPath + rehearsal)
+                run(quiet + "-XX:DumpLoadedClassList=$list" + classPath + rehearsal(folder))
                 if (!list.exists()) return
                 val standard = if (JDK_CLASSES.exists()) JDK_CLASSES.readLines() else emptyList()
                 list.writeLines(list.readLines() + standard.filterNot { it.startsWith("#") } + more)

@@ -11,6 +11,8 @@ import org.joml.Vector3d
 import org.joml.Vector3dc
 import org.lwjgl.opengl.GL33C.GL_TRIANGLES
 import kotlin.math.abs
+import kotlin.math.max
+import kotlin.math.pow
 
 /**
  * One draw as a surface with a material, in the terms of the lighting model.
@@ -21,6 +23,7 @@ import kotlin.math.abs
  * @param ambient L_a as the submission sends it, null where it sends none.
  * @param emission number of the captured texture, null where nothing glows; likewise [diffuse] and [specular].
  * @param gamma what the shader's picture has to be raised to for light to add up: 1 without gamma.
+ * @param powers what the colours of a texture are raised to when they are read, by its number: 1 for those that are not in it.
  */
 internal class Surface(
     val vertices: FloatArray,
@@ -33,6 +36,7 @@ internal class Surface(
     val specular: Int?,
     val exponent: Double,
     val gamma: Double,
+    val powers: Map<Int, Double> = emptyMap(),
 )
 
 /** The materials of a capture's draws, by what [studies] found out about its programs. Needs a current context. */
@@ -74,18 +78,22 @@ internal class Materials(
         val values = study.box.program.constants + draw.uniforms.associate { it.name to it.numbers }
         val spaces = Spaces.of(study.formula, study.box.program.matrices.filter { it in values }, values) ?: return null
         val normal = normal(draw, study.formula.positionLocation) ?: return null
-        val mesh = mesh(draw, study.formula.positionLocation, normal, values) ?: return null
+        val coords = texCoords(draw, study, lit(draw.program, values)) ?: return null
+        val mesh = mesh(draw, study.formula.positionLocation, normal, coords) ?: return null
+        val emission = roles.emission ?: rest(study, roles)
+        val powers = roles.powers + coords.read
         return Surface(
             vertices = mesh.first,
             indices = mesh.second,
             model = spaces.model ?: view.invert(Matrix4d()).mul(spaces.modelView),
             tint = study.emission.tint?.let { color(values[it.name]) },
             ambient = study.emission.ambient?.let { color(values[it.name]) },
-            emission = texture(draw, roles.emission ?: rest(study, roles)),
+            emission = texture(draw, emission),
             diffuse = diffuse,
             specular = texture(draw, roles.specular),
             exponent = exponent(study, values),
             gamma = study.exponent,
+            powers = powers.mapNotNull { (sampler, power) -> texture(draw, sampler)?.let { it to power } }.toMap(),
         )
     }
 
@@ -136,10 +144,9 @@ internal class Materials(
         draw: CapturedDraw,
         position: Int,
         normal: Int,
-        values: Map<String, FloatArray>,
+        coords: TexCoords,
     ): Pair<FloatArray, IntArray>? {
         val read = DrawVertices(capture, draw)
-        val coords = texCoords(draw, position, lit(draw.program, values)) ?: return null
         val numbers = read.distinct.withIndex().associate { it.value to it.index }
         val indices = IntArray(read.order.size / 3 * 3) { numbers.getValue(read.order[it]) }
         val vertices = FloatArray(FLOATS * numbers.size)
@@ -165,14 +172,20 @@ internal class Materials(
 
     private fun texCoords(
         draw: CapturedDraw,
-        position: Int,
+        study: ProgramStudy,
         values: Map<String, FloatArray>,
     ): TexCoords? {
+        val position = study.formula.positionLocation
         val pairs = draw.attributes.filter { it.size == 2 && it.location != position }.map { it.location }
         // Vectors of two numbers and single ones are all that texture coordinates are scaled by.
         val scales = draw.uniforms.filter { it.numbers.size <= 2 }.flatMap { it.numbers.toList() }
+        val roles = study.roles
+        // What glows shows everywhere, what is lit where light falls.
+        val glowing = roles?.emission.takeIf { roles?.multiplied == false }
+        val samplers = listOfNotNull(glowing, roles?.diffuse).associateWith { roles?.powers?.get(it) }
         return coordinates.getOrPut(listOf(draw.program, pairs, scales)) {
-            TexCoords.of(rig, capture.programs[draw.program], draw.attributes.map { it.location }, pairs, values)
+            val reading = Reading(rig, capture.programs[draw.program], draw.attributes.map { it.location }, values, study.exponent)
+            samplers.firstNotNullOfOrNull { (sampler, power) -> TexCoords.of(reading, pairs, sampler, power) }
         }
     }
 
@@ -184,12 +197,18 @@ internal class Materials(
     }
 }
 
-/** How texture coordinates are made of the attribute at [location]: factor times it plus offset, axis by axis. */
+/**
+ * How texture coordinates are made of the attribute at [location]: factor times it plus offset, axis by axis.
+ *
+ * @param read what the colours of the texture that showed it are raised to, by its sampler.
+ */
 internal class TexCoords(
     val location: Int?,
+    val read: Map<String, Double>,
     private val factor: DoubleArray,
     private val offset: DoubleArray,
 ) {
+    /** The texture coordinate that becomes of [attribute]. */
     fun of(
         attribute: DoubleArray,
         axis: Int,
@@ -197,35 +216,25 @@ internal class TexCoords(
 
     companion object {
         /**
-         * Finds out by having every texture show where it is read: a program in which `texture(s, uv)` means its second argument. Null where
-         * that cannot be compiled or gives no straight line.
+         * Finds out by having the texture of [sampler] show where it is read, its colours raised to [power], which is tried out where it is
+         * null. Null where that cannot be compiled or gives no straight line.
          */
         fun of(
-            rig: ProbeRig,
-            captured: CapturedProgram,
-            locations: List<Int>,
+            reading: Reading,
             pairs: List<Int>,
-            values: Map<String, FloatArray>,
+            sampler: String,
+            power: Double?,
         ): TexCoords? =
             try {
-                ProbeProgram(shown(captured)).use { where ->
-                    ProbeProgram(captured).use { usual -> measure(Shown(rig, where, usual, locations, values), pairs) }
+                ProbeProgram(reading.shown()).use { where ->
+                    ProbeProgram(reading.captured).use { usual ->
+                        val powers = listOfNotNull(power).ifEmpty { POWERS }
+                        powers.firstNotNullOfOrNull { measure(Shown(reading, where, usual, sampler, it), pairs) }
+                    }
                 }
             } catch (_: InputError) {
                 null
             }
-
-        private fun shown(captured: CapturedProgram) =
-            CapturedProgram(
-                captured.vertexSource,
-                LiftedConstants.afterVersion(
-                    LiftedConstants.withoutComments(captured.fragmentSource),
-                    "#define texture(s, uv) vec4((uv), 0.0, 1.0)",
-                ),
-                captured.attributes,
-                captured.outputs,
-                captured.substituted,
-            )
 
         private fun measure(
             shown: Shown,
@@ -233,49 +242,87 @@ internal class TexCoords(
         ): TexCoords? {
             val at = pairs.firstOrNull { location -> shown.at(location, 0.0, 0.0) != shown.at(location, STEP, STEP) }
             // Where nothing moves them, all of the surface shows the same texel.
-            if (at == null) return shown.at(NOWHERE, 0.0, 0.0)?.let { TexCoords(null, DoubleArray(2), it.toDoubleArray()) }
+            if (at == null) return shown.at(NOWHERE, 0.0, 0.0)?.let { TexCoords(null, shown.read, DoubleArray(2), it.toDoubleArray()) }
             val zero = shown.at(at, 0.0, 0.0) ?: return null
             val one = shown.at(at, STEP, STEP) ?: return null
             val two = shown.at(at, 2 * STEP, 2 * STEP) ?: return null
-            val isStraight = (0..1).all { abs(two[it] - 2 * one[it] + zero[it]) <= STRAIGHT * (abs(two[it] - zero[it]) + STEP) }
+            val isStraight = (0..1).all { abs(two[it] - 2 * one[it] + zero[it]) <= STRAIGHT * (abs(two[it] - zero[it]) + TINY) }
             if (!isStraight) return null
-            return TexCoords(at, DoubleArray(2) { (one[it] - zero[it]) / STEP }, zero.toDoubleArray())
+            return TexCoords(at, shown.read, DoubleArray(2) { (one[it] - zero[it]) / STEP }, zero.toDoubleArray())
         }
 
         /** Small enough that a shader that clamps its colour at 1 does not clamp what is shown. */
         private const val STEP = 1.0 / 512
         private const val STRAIGHT = 1e-3
+        private const val TINY = 1e-5
         private const val NOWHERE = -1
+        private val POWERS = listOf(1.0, 2.2, 2.0)
+    }
+}
+
+/**
+ * A program of a submission and how it is drawn with.
+ *
+ * @param gamma what its picture has to be raised to for light to add up.
+ */
+internal class Reading(
+    val rig: ProbeRig,
+    val captured: CapturedProgram,
+    val locations: List<Int>,
+    val values: Map<String, FloatArray>,
+    val gamma: Double,
+) {
+    /** The program with texture coordinates in the place of texels, times the texel; a macro does not call itself. */
+    fun shown() =
+        CapturedProgram(
+            captured.vertexSource,
+            LiftedConstants.afterVersion(
+                LiftedConstants.withoutComments(captured.fragmentSource),
+                "#define texture(s, uv) (texture(s, vec2(0.5)) * vec4((uv), 0.0, 1.0))",
+            ),
+            captured.attributes,
+            captured.outputs,
+            captured.substituted,
+        )
+}
+
+/** A program that shows where it reads the texture of [sampler], beside the same that reads a grey one; all others are black. */
+private class Shown(
+    private val reading: Reading,
+    private val where: ProbeProgram,
+    private val usual: ProbeProgram,
+    private val sampler: String,
+    private val power: Double,
+) {
+    val read = mapOf(sampler to power)
+
+    /** Red and green for the attribute [location] at ([u], [v]) as texture coordinates; null where nothing shows. */
+    fun at(
+        location: Int,
+        u: Double,
+        v: Double,
+    ): List<Double>? {
+        val feed = Feed(1)
+        for (each in reading.locations) feed.set(each, 0, SOME[0], SOME[1], SOME[2])
+        if (location >= 0) feed.set(location, 0, u, v)
+        val dark = light(usual, feed, 0.0)
+        val full = light(usual, feed, ColorSlots.DARK)
+        val read = light(where, feed, 1.0)
+        val shares = (0..1).map { ColorSlots.DARK * max((read[it] - dark[it]) / (full[it] - dark[it]), 0.0).pow(1 / power) }
+        return shares.takeIf { all -> all.all { it.isFinite() } }
     }
 
-    /** A program that shows where it reads its textures, beside the same that reads grey ones. */
-    private class Shown(
-        private val rig: ProbeRig,
-        private val where: ProbeProgram,
-        private val usual: ProbeProgram,
-        private val locations: List<Int>,
-        private val values: Map<String, FloatArray>,
-    ) {
-        /** Red and green for the attribute [location] at ([u], [v]), relative to white textures; null where nothing is lit. */
-        fun at(
-            location: Int,
-            u: Double,
-            v: Double,
-        ): List<Double>? {
-            val feed = Feed(1)
-            for (each in locations) feed.set(each, 0, SOME[0], SOME[1], SOME[2])
-            if (location >= 0) feed.set(location, 0, u, v)
-            val black = usual.samplers.associate { it.name to FloatArray(3) }
-            val gray = usual.samplers.associate { it.name to FloatArray(3) { ColorSlots.DARK.toFloat() } }
-            val dark = rig.points(usual, feed, usual.constants + values, black)
-            val full = rig.points(usual, feed, usual.constants + values, gray)
-            val read = rig.points(where, feed, where.constants + values, emptyMap())
-            val shares = (0..1).map { ColorSlots.DARK * (read[it].toDouble() - dark[it]) / (full[it].toDouble() - dark[it]) }
-            return shares.takeIf { all -> all.all { it.isFinite() } }
-        }
+    private fun light(
+        program: ProbeProgram,
+        feed: Feed,
+        texel: Double,
+    ): List<Double> {
+        val texels = usual.samplers.associate { it.name to FloatArray(3) { _ -> if (it.name == sampler) texel.toFloat() else 0f } }
+        val colors = reading.rig.points(program, feed, program.constants + reading.values, texels)
+        return (0..1).map { max(colors[it].toDouble(), 0.0).pow(reading.gamma) }
+    }
 
-        private companion object {
-            val SOME = doubleArrayOf(0.3, 0.4, 0.5)
-        }
+    private companion object {
+        val SOME = doubleArrayOf(0.3, 0.4, 0.5)
     }
 }

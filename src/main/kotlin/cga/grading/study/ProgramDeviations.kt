@@ -57,7 +57,7 @@ internal object ProgramDeviations {
         if (isSwapped(roles)) add(Mistake.MAPS_SWAPPED)
         val units = study.box.program.samplers.mapNotNull { study.box.values[it.name]?.firstOrNull() }
         if (units.size != units.distinct().size) add(Mistake.SAMPLER_UNIT)
-        if (study.exponent < 1 || roles.exponents.any { it < ENCODED }) add(Mistake.GAMMA_DIRECTION)
+        if (study.exponent < 1 || roles.powers.values.any { it < ENCODED }) add(Mistake.GAMMA_DIRECTION)
         return found
     }
 

@@ -11,7 +11,7 @@ import kotlin.random.Random
  *
  * @param multiplied whether light only shows where the emission texture is not black.
  * @param peak the term that lights are measured by.
- * @param exponents what the colours of the diffuse and of the specular texture are raised to, as far as known.
+ * @param powers what the colours of the diffuse and of the specular texture are raised to, by sampler, as far as known.
  * @param untextured whether a light shows with all textures black, relative to how it shows with white ones.
  */
 internal class TextureRoles(
@@ -21,7 +21,7 @@ internal class TextureRoles(
     val multiplied: Boolean,
     val untextured: Double,
     val peak: Peak = Peak.DIFFUSE,
-    val exponents: List<Double> = emptyList(),
+    val powers: Map<String, Double> = emptyMap(),
 ) {
     /** Texture colours that leave only the diffuse term. */
     val onlyDiffuse: Map<String, Double> = listOfNotNull(diffuse, emission.takeIf { multiplied }).associateWith { 1.0 }
@@ -60,7 +60,8 @@ internal class TextureRoles(
             val specular = (linearity.keys - setOfNotNull(diffuse)).maxByOrNull { linearity.getValue(it) }
             val glowing = glowing(probe.box, samples, samplers, flats)
             val emission = multiplier ?: glowing.firstOrNull { it != diffuse && it != specular }
-            val exponents = listOfNotNull(diffuse, specular).mapNotNull { exponent(probe, samples, always, it) }
+            val powers =
+                listOfNotNull(diffuse, specular).mapNotNull { name -> exponent(probe, samples, always, name)?.let { name to it } }.toMap()
             return TextureRoles(
                 emission, diffuse, specular, multiplier != null,
                 probe
@@ -68,7 +69,7 @@ internal class TextureRoles(
                         samples,
                         emptyMap(),
                     ).largest() / full,
-                peak, exponents,
+                peak, powers,
             )
         }
 

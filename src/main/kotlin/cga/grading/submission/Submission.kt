@@ -33,7 +33,11 @@ public class Submission(
     public val versions: Versions,
     public val edition: DetectedEdition,
     public val notes: List<String>,
-)
+) {
+    /** The same with other [sources]. */
+    internal fun with(sources: List<SourceFile>): Submission =
+        Submission(name, root, kind, sources, workingDirectory, mainClass, versions, edition, notes)
+}
 
 /** Nothing that can be graded; the message says why. */
 public class NotASubmission(message: String) : InputError(message)

@@ -36,6 +36,7 @@ public class Stage(
 
     /** GLFW's handle of the window. */
     public val window: Long
+    private val callbacks: OwnCallbacks
 
     /** Seconds of one update, or between two pictures. */
     public var dt: Float = 0f
@@ -63,6 +64,7 @@ public class Stage(
         require(frequency in 1.0..MAX_FREQUENCY) { "$frequency updates a second cannot be played" }
         val offscreen = OffscreenWindow(width, height, title, major, minor)
         window = offscreen.handle
+        callbacks = OwnCallbacks(window)
         // The recorder needs OpenGL before it can look at calls: the very first go by unseen.
         var observer: (Call) -> Unit = Call::proceed
         interception = Interception({ glfwGetProcAddress(it) }) { observer(it) }
@@ -84,13 +86,15 @@ public class Stage(
     /** What to do next, one of the constants of this class; ends what was done before. */
     public fun next(): Int {
         finishPicture(true)
-        if (isEnded || !acts.hasNext()) return END
-        return when (val act = acts.next()) {
-            is Act.Update -> update(act)
-            is Act.Press -> press(act)
-            is Act.Move -> move(act)
-            is Act.Render -> render(act)
+        while (!isEnded && acts.hasNext()) {
+            when (val act = acts.next()) {
+                is Act.Update -> return update(act)
+                is Act.Press -> press(act).let { if (!callbacks.key(act)) return it }
+                is Act.Move -> move(act).let { if (!callbacks.move(act)) return it }
+                is Act.Render -> return render(act)
+            }
         }
+        return END
     }
 
     /** Whether [key] is held down. */

@@ -2,6 +2,9 @@ package cga.grading.worker.students
 
 import cga.exercise.game.Game
 import org.lwjgl.glfw.GLFW.GLFW_KEY_W
+import org.lwjgl.glfw.GLFW.glfwGetCurrentContext
+import org.lwjgl.glfw.GLFW.glfwSetCursorPosCallback
+import org.lwjgl.glfw.GLFW.glfwSetKeyCallback
 import org.lwjgl.opengl.GL33C.*
 import kotlin.system.exitProcess
 
@@ -45,6 +48,33 @@ internal class Listener : Painter() {
     companion object {
         @JvmStatic
         fun main(args: Array<String>): Unit = Listener().run()
+    }
+}
+
+/** Listens by callbacks of its own instead of the window's. */
+internal class Caller : Painter() {
+    override fun start() {
+        super.start()
+        val window = glfwGetCurrentContext()
+        glfwSetKeyCallback(window) { _, key, _, action, mods -> say("key $key action $action mods $mods held ${getKeyState(key)}") }
+        glfwSetCursorPosCallback(window) { _, x, y -> say("cursor $x $y") }
+    }
+
+    override fun onKey(
+        key: Int,
+        scancode: Int,
+        action: Int,
+        mode: Int,
+    ): Unit = say("onKey")
+
+    override fun onMouseMove(
+        xpos: Double,
+        ypos: Double,
+    ): Unit = say("onMouseMove")
+
+    companion object {
+        @JvmStatic
+        fun main(args: Array<String>): Unit = Caller().run()
     }
 }
 

@@ -89,6 +89,20 @@ class VerdictTest {
     }
 
     @Test
+    fun `what is wrong and has no name is said to be unknown, once, and not where it is a matter of exactness`() {
+        val verdict = Verdict.of(shading(), scene(errors = mapOf(Check.SPOT_DIRECTION to 1.0, Check.MORE_LIGHTS to 0.5)))
+        assertEquals(listOf(Mistake.UNKNOWN), verdict.names())
+        assertEquals(setOf(Check.SPOT_DIRECTION, Check.MORE_LIGHTS), verdict.costs())
+        assertEquals(emptyList<Mistake>(), Verdict.of(shading(), scene(errors = mapOf(Check.SPOT_DIRECTION to 0.1))).names())
+    }
+
+    @Test
+    fun `a light that shines backwards because its vector does is one mistake`() {
+        val verdict = Verdict.of(shading(found(Mistake.LIGHT_VECTOR_SIGN, "a, s")), scene(found(Mistake.SPOT_DIRECTION_SIGN, "s")))
+        assertEquals(listOf(Mistake.LIGHT_VECTOR_SIGN) to setOf(Check.DIFFUSE), verdict.names() to verdict.costs())
+    }
+
+    @Test
     fun `the direction is the scene's, unless it could not see it`() {
         val local = shading(found(Mistake.SPOT_DIRECTION_LOCAL, "s"))
         val world = scene(found(Mistake.SPOT_DIRECTION_WORLD, "s"))

@@ -4,12 +4,10 @@ import cga.framework.context.ContextKind
 import cga.framework.context.OffscreenContext
 import cga.grading.analysis.Analysis
 import cga.grading.capture.CaptureFile
-import cga.grading.findings.Findings
 import cga.grading.findings.Mistake
 import cga.grading.rubric.Grade
 import cga.grading.rubric.Rubric
 import java.nio.file.Path
-import kotlin.io.path.createTempDirectory
 
 /** How what the grader says of a submission compares with what it should say. */
 internal enum class Answer {
@@ -62,28 +60,23 @@ internal class Answered(
         /** The verdict on the capture in [file]. Needs a current context. */
         fun of(submission: Submission, file: Path): Answered {
             val edition = if (submission.edition == Edition.LATER) "2022" else "2021"
-            val folder = createTempDirectory("findings")
-            return try {
-                val findings: Findings = Analysis(CaptureFile.read(file), edition, folder).findings()
-                val grade = Grade.of(findings, Rubric.default())
-                val costs = grade.checks
-                    .filter {
-                        it.points.let { points ->
-                            points == null || points < it.maximum
-                        }
-                    }.map { "${it.check.id}=${it.error}" }
-                val lines =
-                    grade.checks.map {
-                        "${it.check.id} ${it.state} ${it.points}/${it.maximum} error ${it.error} cause ${it.cause}: ${it.text}"
+            val findings = Analysis(CaptureFile.read(file), edition, folder = null).findings()
+            val grade = Grade.of(findings, Rubric.default())
+            val costs = grade.checks
+                .filter {
+                    it.points.let { points ->
+                        points == null || points < it.maximum
+                    }
+                }.map { "${it.check.id}=${it.error}" }
+            val lines =
+                grade.checks.map {
+                    "${it.check.id} ${it.state} ${it.points}/${it.maximum} error ${it.error} cause ${it.cause}: ${it.text}"
+                } +
+                    findings.mistakes.map {
+                        "! ${it.mistake} fit ${it.fit} difference ${it.difference} at ${it.where} or ${it.alternatives}"
                     } +
-                        findings.mistakes.map {
-                            "! ${it.mistake} fit ${it.fit} difference ${it.difference} at ${it.where} or ${it.alternatives}"
-                        } +
-                        findings.notes.map { "note $it" }
-                Answered(submission, findings.mistakes.map { it.mistake }, costs, grade.points, findings.notes, lines)
-            } finally {
-                folder.toFile().deleteRecursively()
-            }
+                    findings.notes.map { "note $it" }
+            return Answered(submission, findings.mistakes.map { it.mistake }, costs, grade.points, findings.notes, lines)
         }
     }
 }

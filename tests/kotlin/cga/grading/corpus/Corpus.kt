@@ -28,14 +28,25 @@ internal object Corpus {
     /** Every mistake, by name. */
     val mistakes: Map<String, Rewrite> = readAll("mistakes")
 
+    /** Correct in ways of their own, each tried on the plain project only, by name. */
+    val students: Map<String, Rewrite> = readAll("students")
+
+    /** Submissions without a mistake, as they are listed: by their rewrites. */
+    val listed: List<Submission> by lazy { lists().map { (name, parts) -> correct(name, parts) } }
+
     /** Submissions without a mistake. */
-    val correct: List<Submission> by lazy { lists().map { (name, parts) -> Submission(name, edition(parts), parts, Expectation.CORRECT) } }
+    val correct: List<Submission> by lazy { listed + students.values.map { correct(it.name, it.with + it.name) } }
 
     /** Submissions with a mistake, or several. */
     val mistaken: List<Submission> = mistakes.values.map { submission(it.name, it.with + it.name) }
 
     /** All of them. */
     val all: List<Submission> by lazy { correct + mistaken }
+
+    private fun correct(
+        name: String,
+        parts: List<String>,
+    ) = Submission(name, edition(parts), parts, Expectation.CORRECT)
 
     fun byName(name: String): Submission = all.single { it.name == name }
 
@@ -52,7 +63,7 @@ internal object Corpus {
     fun sources(submission: Submission): Sources {
         val sources = TreeMap(course)
         for (name in submission.rewrites) {
-            val rewrite = checkNotNull(rewrites[name] ?: mistakes[name]) { "${submission.name}: $name is no rewrite" }
+            val rewrite = checkNotNull(rewrites[name] ?: mistakes[name] ?: students[name]) { "${submission.name}: $name is no rewrite" }
             try {
                 rewrite.edits.forEach { it.applyTo(sources) }
             } catch (e: IllegalStateException) {

@@ -2,11 +2,13 @@ package cga.grading.scene
 
 import cga.grading.capture.CapturedEvent
 import cga.grading.capture.EventKind
+import cga.grading.capture.Moment
 import cga.grading.findings.Check
 import cga.grading.findings.Mistake
 import org.joml.Vector3d
 import org.junit.jupiter.api.Assertions.assertEquals
 import org.junit.jupiter.api.Test
+import kotlin.math.abs
 import kotlin.math.sin
 
 /** What can be wrong with the colours of task 4.4. */
@@ -25,6 +27,21 @@ class ColorMistakesTest {
             override fun motorcycleTint(t: Double) = Vector3d(1.0)
         }
         rig.verdict().assertMistake(Mistake.COLOR_CONSTANT, Check.MOTORCYCLE_COLOR, Check.LIGHT_COLOR)
+    }
+
+    @Test
+    fun `a colour of the time since the last picture does not change with time`() {
+        val rig = object : Rig() {
+            private var step = 0.0
+
+            override fun frame(moment: Moment, t: Double): ObservedFrame {
+                step = moment.seconds
+                return super.frame(moment, t)
+            }
+
+            override fun motorcycleTint(t: Double) = Vector3d(abs(sin(step + 1)), abs(sin(step + 2)), abs(sin(step + 3)))
+        }
+        rig.verdict().assertMistake(Mistake.COLOR_CONSTANT)
     }
 
     @Test

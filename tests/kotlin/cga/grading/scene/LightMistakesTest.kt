@@ -2,6 +2,7 @@ package cga.grading.scene
 
 import cga.grading.capture.CapturedEvent
 import cga.grading.capture.EventKind
+import cga.grading.capture.Moment
 import cga.grading.findings.Check
 import cga.grading.findings.Mistake
 import org.joml.Matrix4d
@@ -209,6 +210,19 @@ class LightMistakesTest {
             override fun position(lamp: Lamp, view: Matrix4d) = super.position(if (lamp === own) head else lamp, view)
         }
         rig.verdict().assertMistake(Mistake.LIGHT_POSITION_OVERWRITTEN)
+    }
+
+    @Test
+    fun `both lights at one place are chosen where each is sent by itself, and overwritten where one was sent twice`() {
+        fun rig(events: List<CapturedEvent>) =
+            object : Rig() {
+                override fun position(lamp: Lamp, view: Matrix4d) = super.position(if (lamp === own) head else lamp, view)
+
+                override fun lights(moment: Moment, t: Double, view: Matrix4d) =
+                    super.lights(moment, t, view).map { ObservedLight(it.name, it.position, it.color, it.k, it.spot, "${it.name}.place") }
+            }.verdict(events = events)
+        rig(emptyList()).assertRight()
+        rig(listOf(CapturedEvent(EventKind.UNIFORM_OVERWRITTEN, 0, "bike_lamp.place"))).assertMistake(Mistake.LIGHT_POSITION_OVERWRITTEN)
     }
 
     @Test

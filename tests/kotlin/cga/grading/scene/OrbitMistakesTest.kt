@@ -30,6 +30,17 @@ class OrbitMistakesTest {
     }
 
     @Test
+    fun `every event takes the difference to the first position`() {
+        val rig = object : Rig() {
+            override fun mouse(x: Double, y: Double, alt: Boolean) {
+                if (lastX.isNaN()) lastX = x
+                orbit(x - lastX, 0.0)
+            }
+        }
+        rig.verdict().assertMistake(Mistake.MOUSE_FACTOR)
+    }
+
+    @Test
     fun `about the camera's own axis on the spot, which costs the horizon and not the pivot too`() {
         turning { rig, dx, _ -> rig.camera.rotateLocal(0f, dx, 0f) }.assertMistake(Mistake.ORBIT_OWN_AXIS, least = 0.3)
     }

@@ -19,6 +19,25 @@ class LiftedConstantsTest {
     }
 
     @Test
+    fun `black is no colour`() {
+        val lifted = LiftedConstants.of("#version 330 core\nvec3 a = vec3(0.0); vec4 b = vec4(0, 0, 0, 1.0);", "c")
+        assertEquals(emptySet<String>(), lifted.values.keys)
+    }
+
+    @Test
+    fun `vectors that are made of numbers or named are multiplied by 1 where it goes deep`() {
+        val source =
+            "#version 330 core\nuniform float r;\nuniform vec3 u = vec3(r, r, r);\n" +
+                "vec3 f() { vec3 a = sin(u), b; vec3 c = cos(u); return vec3(r, r * 2.0, (r)); }"
+        val lifted = LiftedConstants.of(source, "c", isDeep = true)
+        assertEquals(listOf("cm0", "cm1", "cm2"), lifted.deep)
+        assertEquals(true, "return (cm1 * vec3(r, r * 2.0, (r)));" in lifted.source, lifted.source)
+        assertEquals(true, "vec3 c = cm2 * (cos(u));" in lifted.source, lifted.source)
+        assertEquals(true, "vec3 a = sin(u), b;" in lifted.source, lifted.source)
+        assertArrayEquals(floatArrayOf(1f, 1f, 1f), lifted.values["cm0"])
+    }
+
+    @Test
     fun `what may size an array stays constant`() {
         val lifted = LiftedConstants.of("#version 330 core\nconst int N = 3;\nuniform vec3 a[N];\nconst float b = 2.0;", "c")
         assertEquals(true, "const int N = 3;" in lifted.source)

@@ -45,6 +45,23 @@ class MistakesTest {
 
     private val mistakes =
         listOf(
+            fragment(Mistake.UNKNOWN, "highlights in the diffuse colour", "texture(spec," to "texture(diff,"),
+            fragment(
+                Mistake.UNKNOWN,
+                "highlights without a texture",
+                "vec3 specular = texture(spec, vertexData.texCoord).rgb" to "vec3 specular = vec3(0.5)",
+            ),
+            fragment(
+                Mistake.COSINE_OF_COSINE,
+                "the cosine of the cosine between axis and light",
+                "dot(-l, normalize(spotLightDirection))" to "cos(dot(-l, normalize(spotLightDirection)))",
+            ),
+            fragment(
+                Mistake.DEGREES_FOR_RADIANS,
+                "radians made of radians",
+                "cos(spotInner)" to "cos(radians(spotInner))",
+                "cos(spotOuter)" to "cos(radians(spotOuter))",
+            ),
             fragment(Mistake.VIEW_VECTOR_SIGN, "view vector sign", "normalize(vertexData.toCamera)" to "normalize(-vertexData.toCamera)"),
             vertex(Mistake.VIEW_VECTOR_SIGN, "view vector sign in the vertex shader", "toCamera = -pos.xyz", "toCamera = pos.xyz"),
             vertex(

@@ -15,12 +15,12 @@ import java.nio.file.Path
  * Measures a capture: draws its frames again, studies what its shaders compute, judges what its scene does, and takes pictures that show
  * it. Needs a current context.
  *
- * @param folder where the pictures go.
+ * @param folder where the pictures go; null for none.
  */
 internal class Analysis(
     private val capture: Capture,
     private val edition: String,
-    private val folder: Path,
+    private val folder: Path?,
 ) {
     /** Throws [Threw], [EndedEarly], [NothingDrawn], [NotReproducible] and [cga.grading.replay.ReplayError]. */
     fun findings(): Findings {
@@ -33,8 +33,11 @@ internal class Analysis(
                 val facts = CaptureFacts(capture)
                 val scene = SceneJudge.judge(observed, capture.events, profile, facts.uniforms, facts.program)
                 val verdict = Verdict.of(ShadingVerdict(study.checks, study.mistakes), scene)
-                val expected = ExpectedFrame(capture, study.materials, verdict)
-                val pictures = ScenePictures(capture, replay, study.materials, expected, observed, folder).take()
+                val pictures =
+                    folder?.let {
+                        val expected = ExpectedFrame(capture, study.materials, verdict)
+                        ScenePictures(capture, replay, study.materials, expected, observed, it).take()
+                    } ?: emptyList()
                 Findings(verdict.checks, verdict.mistakes, study.plots, pictures, study.notes + scene.notes + eventNotes())
             }
         }
@@ -72,6 +75,10 @@ internal class Analysis(
         val FATAL = setOf(EventKind.EXCEPTION, EventKind.SHADER_FAILED, EventKind.LINK_FAILED, EventKind.NOT_CAPTURED)
 
         /** The scene judge has its own words for these. */
-        val QUIET = setOf(EventKind.UNIFORM_ABSENT, EventKind.UNIFORM_WITHOUT_PROGRAM, EventKind.GL_ERROR)
+        val QUIET =
+            setOf(
+                EventKind.UNIFORM_ABSENT, EventKind.UNIFORM_WITHOUT_PROGRAM, EventKind.UNIFORM_OVERWRITTEN, EventKind.TEXTURE_FILE,
+                EventKind.GL_ERROR,
+            )
     }
 }

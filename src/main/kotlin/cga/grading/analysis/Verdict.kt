@@ -37,8 +37,24 @@ internal class Verdict private constructor(
             }
             val checks = VerdictChecks(shading, scene, known).all()
             val dim = if (needed(known) <= scene.unlit.size) known.map { it.mistake }.filter(VerdictTraces::saysMissing) else emptyList()
-            return Verdict(checks, known.map { explained(it, all, it.mistake in dim, quarrel.unfounded.isNotEmpty(), checks) })
+            val mistakes = known.map { explained(it, all, it.mistake in dim, quarrel.unfounded.isNotEmpty(), checks) }
+            val unknown = if (all.any { it.mistake == Mistake.UNKNOWN }) null else unexplained(checks, mistakes)
+            return Verdict(checks, mistakes + listOfNotNull(unknown))
         }
+
+        /** What is wrong and no mistake explains: to be said, honestly, as unknown. */
+        private fun unexplained(
+            checks: List<Measured>,
+            mistakes: List<Found>,
+        ): Found? {
+            val named = mistakes.flatMap { (listOf(it.mistake) + it.alternatives).map(Mistake::check) + it.explains.orEmpty() }
+            val open = checks.filter { it.found && (it.error ?: 0.0) > OFF && it.check !in named }
+            val worst = open.maxByOrNull { it.error ?: 0.0 } ?: return null
+            return Found(Mistake.UNKNOWN, 1.0, worst.error ?: 1.0, open.joinToString { it.check.id }, explains = emptySet())
+        }
+
+        /** No tolerance of the rubric is as wide, but that for a further light of two. */
+        private const val OFF = 0.3
 
         /** The same mistake of both witnesses is one. */
         private fun merged(found: List<Found>): List<Found> =

@@ -41,6 +41,8 @@ internal object VerdictTraces {
             Mistake.LATER_LIGHTS_FIRST_COLOR to setOf(Mistake.MORE_LIGHTS_MISSING, Mistake.LIGHT_MISSING),
             Mistake.LATER_LIGHTS_FIRST_COSINE to setOf(Mistake.NORMAL_MATRIX, Mistake.TO_LIGHT_WORLD, Mistake.LIGHT_POSITION_OVERWRITTEN),
             Mistake.CONE_NEVER_SENT to setOf(Mistake.SPOT_MISSING),
+            // The angle to the axis is measured with the same vector.
+            Mistake.LIGHT_VECTOR_SIGN to setOf(Mistake.SPOT_DIRECTION_SIGN),
         ) +
             // A cone that is lit outside looks like one that points the other way.
             listOf(Mistake.CONE_INSIDE_OUT, Mistake.COSINE_OF_COSINE, Mistake.DEGREES_FOR_RADIANS).associateWith {

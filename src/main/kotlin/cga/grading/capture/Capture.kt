@@ -188,4 +188,10 @@ public enum class EventKind {
 
     /** A file that the submission asked for was not there and a stand-in was given; the text is its path. */
     FILE_MISSING,
+
+    /** A vec3 was sent twice between two draws with different values: nothing was drawn with the first; the text is its name. */
+    UNIFORM_OVERWRITTEN,
+
+    /** A texture has the texels of a file; the text is its number in [Capture.textures] and the file's name, with a space between them. */
+    TEXTURE_FILE,
 }

@@ -44,6 +44,7 @@ public class ObservedObject(
  * @param color linear RGB.
  * @param k (K_c, K_l, K_q) as effectively used; (1, 0, 0) without attenuation.
  * @param spot its cone, null for a point light.
+ * @param placedBy the uniform that its position is sent in; null where that is not known.
  */
 public class ObservedLight(
     public val name: String,
@@ -51,6 +52,7 @@ public class ObservedLight(
     public val color: Vector3dc,
     public val k: Vector3dc,
     public val spot: ObservedCone?,
+    public val placedBy: String? = null,
 )
 
 /**

@@ -31,9 +31,11 @@ internal class OrbitPace(
     private fun factor(sideways: List<Pair<MouseMove, Turn>>): Double {
         val wanted = expected ?: sideways.minOf { (move, turn) -> turn.angle / abs(move.x) }
         val paces = sideways.map { (move, turn) -> turn.angle / abs(move.x) }
-        // Where one of them disagrees, the position before it was not followed: that is told by its own numbers.
+        // Where the camera does not hear of every move and one disagrees, the position before it was not followed: its own numbers tell.
         val pace = paces.minBy { abs(it / wanted - 1) }
-        val others = sideways.zip(paces).filter { (reaction, its) -> abs(its / pace - 1) > AGREES && !isUnfollowed(reaction, wanted) }
+        val isDeaf = sideways.size < MouseMove.ALL.count(::isSideways)
+        val others =
+            sideways.zip(paces).filter { (reaction, its) -> abs(its / pace - 1) > AGREES && !(isDeaf && isUnfollowed(reaction, wanted)) }
         val worst = (others.map { it.second } + pace).maxBy { abs(it / wanted - 1) }
         val alone = sideways.singleOrNull()
         val honest = if (alone != null && isUnfollowed(alone, wanted)) wanted else worst

@@ -1,5 +1,7 @@
 package cga.grading.scene
 
+import cga.grading.capture.CapturedEvent
+import cga.grading.capture.EventKind
 import cga.grading.findings.Check
 import cga.grading.findings.Mistake
 import kotlin.math.abs
@@ -9,8 +11,10 @@ import kotlin.math.max
 internal class PositionJudge(
     private val timeline: Timeline,
     private val roles: LightRoles,
+    events: List<CapturedEvent>,
     private val book: Notebook,
 ) {
+    private val overwritten = events.filter { it.kind == EventKind.UNIFORM_OVERWRITTEN }.map { it.text }.toSet()
     private val lights = listOfNotNull(roles.own, roles.spot) + roles.further
 
     fun judge() {
@@ -87,7 +91,7 @@ internal class PositionJudge(
 
     private fun overwritten() {
         for (i in lights.indices) {
-            val same = lights.drop(i + 1).filter { together(lights[i], it) }
+            val same = lights.drop(i + 1).filter { together(lights[i], it) && !isChosen(lights[i], it) }
             if (same.isEmpty()) continue
             val names = (same + lights[i]).joinToString(" and ") { it.name }
             book.spoilt(Check.POINT_LIGHT_POSITION, 1.0, "$names are at the same place in every frame; wanted: each at its own.")
@@ -95,6 +99,21 @@ internal class PositionJudge(
             listOf(Mistake.LIGHT_NOT_CHILD, Mistake.SPOT_NOT_CHILD).forEach { if (book.has(it)) excuse(it, names) }
             return
         }
+    }
+
+    /**
+     * Whether the motorcycle's two lights may be at one place because the student put them there: both ride along, each is sent in a
+     * uniform of its own, and neither was sent twice before it was drawn with.
+     */
+    private fun isChosen(
+        a: LightTrack,
+        b: LightTrack,
+    ): Boolean {
+        val sent = listOf(a, b).map { it.last.placedBy ?: return false }
+        if (!a.isRider() || !b.isRider() || sent[0] == sent[1] || sent.any(overwritten::contains)) return false
+        if (listOf(a, b).any { it.placed.place?.rides != true }) return false
+        book.note("${a.name} and ${b.name} are at the same place, each sent by itself.")
+        return true
     }
 
     /** What follows from the overwritten position does not cost again. */

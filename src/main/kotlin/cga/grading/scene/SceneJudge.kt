@@ -85,7 +85,7 @@ public object SceneJudge {
         val roles = LightRoles.of(timeline)
         book.unlit = roles.unlit
         LightJudge(timeline, roles, book).judge()
-        PositionJudge(timeline, roles, book).judge()
+        PositionJudge(timeline, roles, events, book).judge()
         DirectionJudge(timeline, roles, book).judge()
         cone(roles, book)
         AttenuationJudge(roles, profile, book).judge()

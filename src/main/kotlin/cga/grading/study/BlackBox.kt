@@ -110,6 +110,12 @@ internal class BlackBox(
     fun withValues(replaced: Map<String, FloatArray>): BlackBox =
         BlackBox(rig, program, positionLocation, normalLocation, otherLocations, spaces, values + replaced, exponent, normalLength)
 
+    /** This box for another draw with the same program. */
+    fun drawn(
+        spaces: Spaces,
+        values: Map<String, FloatArray>,
+    ): BlackBox = BlackBox(rig, program, positionLocation, normalLocation, otherLocations, spaces, values, exponent, normalLength)
+
     /** This box with all normals [length] times as long: what a shader adds to them no longer matters. */
     fun withNormalLength(length: Double): BlackBox =
         BlackBox(rig, program, positionLocation, normalLocation, otherLocations, spaces, values, exponent, length)

@@ -52,9 +52,21 @@ internal class ColorSlots(
             box: BlackBox,
             samples: List<Sample>,
             slot: ActiveUniform,
+            base: Setting = Setting().withTexels(box.program.samplers.associate { it.name to DARK }),
         ): Boolean {
-            val base = Setting().withTexels(box.program.samplers.associate { it.name to DARK })
             return look(box, samples, base, slot).let { it.isColor && !it.isFlat }
+        }
+
+        /** Whether [a] does the same with [b] at 0 as with [b] at 1, all else as [setting] has it. */
+        fun areApart(
+            box: BlackBox,
+            samples: List<Sample>,
+            setting: Setting,
+            a: ActiveUniform,
+            b: ActiveUniform,
+        ): Boolean {
+            val on = setting.withColors(listOf(a, b), 1.0)
+            return actsAlone(box, samples, on, a, listOf(a, b))
         }
 
         private fun isMoreOfAFactor(

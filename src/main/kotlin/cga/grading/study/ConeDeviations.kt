@@ -6,6 +6,8 @@ import kotlin.math.PI
 
 /** What is wrong with a light's cone. */
 internal object ConeDeviations {
+    private val BENT = setOf(Falloff.SMOOTH, Falloff.IN_ANGLE, Falloff.OTHER)
+
     /** The mistakes in the cone of [light]; [numbers] are all that uniforms hold. */
     fun of(
         light: LightModel,
@@ -25,12 +27,13 @@ internal object ConeDeviations {
         val values = words?.let(::valueMistake)
         return when {
             cone.falloff == Falloff.HARD -> found(Mistake.CONE_HARD_EDGE)
+            cone.falloff == Falloff.COSINE_TWICE -> found(Mistake.COSINE_OF_COSINE)
             values != null -> found(values)
             words == null && areDegrees(cone) && !looksChosen(cone) -> found(Mistake.DEGREES_FOR_RADIANS)
             cone.falloff == Falloff.UNCLAMPED -> found(Mistake.CONE_CLAMP_MISSING)
             cone.falloff == Falloff.UNCLAMPED_ABOVE && !startsAtAxis(light, numbers) -> found(Mistake.CONE_CLAMP_MISSING)
             isInverted -> found(Mistake.CONE_INSIDE_OUT)
-            cone.falloff == Falloff.SMOOTH || cone.falloff == Falloff.OTHER -> listOf(
+            cone.falloff in BENT -> listOf(
                 Deviation(Mistake.UNKNOWN, light.name, 1.0, cone.error, check = Check.CONE),
             )
             else -> emptyList()

@@ -8,7 +8,20 @@ import kotlin.math.acos
 import kotlin.math.max
 
 /** How a cone falls off between its two edges. */
-internal enum class Falloff { LINEAR, UNCLAMPED_ABOVE, UNCLAMPED, HARD, SMOOTH, OTHER }
+internal enum class Falloff {
+    LINEAR,
+    UNCLAMPED_ABOVE,
+    UNCLAMPED,
+    HARD,
+    SMOOTH,
+
+    /** Linear in the angle itself. */
+    IN_ANGLE,
+
+    /** Linear in the cosine of the angle's cosine. */
+    COSINE_TWICE,
+    OTHER,
+}
 
 /**
  * The cone of a light as it is drawn.
@@ -29,6 +42,10 @@ internal class ConeFit(
 ) {
     val inner: Double get() = acos(cosInner.coerceIn(-1.0, 1.0))
     val outer: Double get() = acos(cosOuter.coerceIn(-1.0, 1.0))
+
+    /** A direction in which it shines fully: its axis, unless it is dark there. */
+    val brightest: Vector3dc
+        get() = if (intensities[0] > 0.5) axis else Directions.around(axis, thetas[intensities.indices.maxBy { intensities[it] }], 0.7)
 
     /** I where the cosine to the axis is [cosine]. */
     fun intensity(cosine: Double): Double = ((cosine - cosOuter) / (cosInner - cosOuter)).coerceIn(0.0, 1.0)
@@ -52,7 +69,8 @@ internal class ConeFit(
                 if (fit.error < GOOD) return fit
                 if (fit.error < (best?.error ?: Double.MAX_VALUE)) best = fit
             }
-            return best
+            // What is the same on both sides of the axis leads no search to it.
+            return (hints.mapNotNull(search::about) + listOfNotNull(best)).minByOrNull { it.error }
         }
 
         private fun centroid(
@@ -100,6 +118,9 @@ internal class ConeSearch(
         }
         return describe(axis, rings)
     }
+
+    /** The cone about [axis] as it is given. */
+    fun about(axis: Vector3dc): ConeFit? = describe(Vector3d(axis), look(axis, THETAS))
 
     private fun look(
         axis: Vector3dc,

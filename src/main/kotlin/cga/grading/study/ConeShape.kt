@@ -2,6 +2,7 @@ package cga.grading.study
 
 import org.joml.Vector3dc
 import kotlin.math.abs
+import kotlin.math.acos
 import kotlin.math.cos
 import kotlin.math.sqrt
 
@@ -65,9 +66,11 @@ internal class ConeShape(
         ): ConeShape {
             val cosines = partial.map { cos(angles[it]) }
             val (slope, offset) = line(cosines, partial.map { values[it] }) ?: return ConeShape(-1.0, -1.0, high, Falloff.OTHER, 1.0)
+            // Cosines of narrow cones are floats near 1: two of them, half a unit in the last place each, over their difference.
+            val rounding = ROUNDING * abs(slope) / (high - low)
             val misfit = partial.indices.maxOf { abs(slope * cosines[it] + offset - values[partial[it]]) } / (high - low)
             val dark = if (low < -1e-3 * high) 0.0 else low
-            if (misfit < STRAIGHT) {
+            if (misfit < STRAIGHT + rounding) {
                 val atAxis = slope + offset
                 val plateau = profile[0] < atAxis - 1e-3 * (high - low)
                 val floor = low >= -1e-3 * high
@@ -90,7 +93,30 @@ internal class ConeShape(
             if (fit != null && partial.indices.all { abs(fit.first * cosines[it] + fit.second - smooth[it]) < SMOOTH }) {
                 return ConeShape((1 - fit.second) / fit.first, -fit.second / fit.first, high, Falloff.SMOOTH, misfit)
             }
-            return ConeShape((high - offset) / slope, (dark - offset) / slope, high, Falloff.OTHER, misfit)
+            return bent(partial.map { angles[it] }, partial.map { values[it] }, low, high, misfit)
+                ?: ConeShape((high - offset) / slope, (dark - offset) / slope, high, Falloff.OTHER, misfit)
+        }
+
+        /** A straight line over something else than the cosine; [misfit] is what that leaves. */
+        private fun bent(
+            angles: List<Double>,
+            values: List<Double>,
+            low: Double,
+            high: Double,
+            misfit: Double,
+        ): ConeShape? {
+            fun straight(
+                falloff: Falloff,
+                abscissa: (Double) -> Double,
+                cosine: (Double) -> Double,
+            ): ConeShape? {
+                val x = angles.map(abscissa)
+                val (slope, offset) = line(x, values) ?: return null
+                if (x.indices.any { abs(slope * x[it] + offset - values[it]) > STRAIGHT * (high - low) }) return null
+                val error = if (falloff == Falloff.COSINE_TWICE) 0.0 else misfit
+                return ConeShape(cosine((high - offset) / slope), cosine((low - offset) / slope), high, falloff, error)
+            }
+            return straight(Falloff.IN_ANGLE, { it }, ::cos) ?: straight(Falloff.COSINE_TWICE, { cos(cos(it)) }, ::acos)
         }
 
         /** The first two neighbouring angles between which the values cross [level]. */
@@ -123,6 +149,7 @@ internal class ConeShape(
         private const val ENOUGH = 6
         private const val ZOOMS = 8
         private const val STRAIGHT = 2e-3
+        private const val ROUNDING = 2.4e-7
         private const val SMOOTH = 1e-2
     }
 }

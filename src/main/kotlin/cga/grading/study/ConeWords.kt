@@ -45,9 +45,11 @@ internal class ConeWords(
             cosDark: Double,
             numbers: Collection<Double>,
         ): ConeWords? {
+            // Edges of a narrow cone are nearer to each other than two roundings.
+            val near = minOf(NEAR, abs(cosFull - cosDark) / 20)
             for (form in AngleForm.entries) {
-                val full = numbers.firstOrNull { isNear(form.cosine(it), cosFull) } ?: continue
-                val dark = numbers.firstOrNull { it != full && isNear(form.cosine(it), cosDark) } ?: continue
+                val full = numbers.firstOrNull { abs(form.cosine(it) - cosFull) < near } ?: continue
+                val dark = numbers.firstOrNull { it != full && abs(form.cosine(it) - cosDark) < near } ?: continue
                 return ConeWords(form, full, dark)
             }
             return null
@@ -69,17 +71,13 @@ internal class ConeWords(
 
         fun isRoundCosine(value: Double): Boolean = value > 0 && value < 1 && isMultiple(Math.toDegrees(acos(value)), 0.5)
 
-        // A cosine of floats, and an edge found on a curve of floats: both good to some 1e-6.
-        private fun isNear(
-            a: Double,
-            b: Double,
-        ) = abs(a - b) < 2e-5
-
         private fun isMultiple(
             x: Double,
             unit: Double,
         ) = abs(x / unit - round(x / unit)) * unit < 1e-4
 
+        // A cosine of floats, and an edge found on a curve of floats: both good to some 1e-6.
+        private const val NEAR = 2e-5
         private const val ROUNDS = 14
     }
 }

@@ -83,7 +83,8 @@ internal class HighlightStudy(
                 val d = exp(random.nextDouble(-0.7, 2.0))
                 StrengthPoint(placement.at(Vector3d(direction).mul(d)), d, if (cone == null) 1.0 else cone.axis.dot(direction))
             }
-        val samples = points.map { p -> Sample(p.position, placement.normalFor(centre(p.position, fit))) }
+        // Beside the very middle, where any power of the cosine is 1.
+        val samples = points.map { p -> Sample(p.position, placement.normalFor(Directions.around(centre(p.position, fit), BESIDE, 1.0))) }
         val shades = probe.shade(samples, roles.onlySpecular)
         val strengths =
             DoubleArray(points.size) { i ->
@@ -132,6 +133,7 @@ internal class HighlightStudy(
 
     private companion object {
         const val STRENGTHS = 120
+        const val BESIDE = 0.02
         const val SOUND = 1e-3
         const val FAINT = 1e-20
     }

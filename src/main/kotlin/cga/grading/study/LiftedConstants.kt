@@ -6,20 +6,23 @@ package cga.grading.study
  * @param source what to compile.
  * @param values of the uniforms that stand for constants, by name.
  * @param texts what the submission wrote there, by the same names.
+ * @param deep names of uniforms that multiply vectors which are no constants; their values are 1.
  */
 internal class LiftedConstants(
     val source: String,
     val values: Map<String, FloatArray>,
     val texts: Map<String, String>,
+    val deep: List<String> = emptyList(),
 ) {
     companion object {
         /**
-         * Lifts each `vec3(…)` and `vec4(…)` of nothing but numbers in [source]; [prefix] begins the new names.
-         * Comments are blanked on the way, which keeps the line numbers.
+         * Lifts each `vec3(…)` and `vec4(…)` of nothing but numbers in [source], black ones apart; [prefix] begins the new names.
+         * Comments are blanked on the way, which keeps the line numbers. [isDeep] lifts other vectors as well, see [DeepLift].
          */
         fun of(
             source: String,
             prefix: String,
+            isDeep: Boolean = false,
         ): LiftedConstants {
             val values = LinkedHashMap<String, FloatArray>()
             val texts = LinkedHashMap<String, String>()
@@ -29,12 +32,17 @@ internal class LiftedConstants(
                     val numbers = match.groupValues[2].split(',').map { it.trim().trimEnd('f', 'F').toFloat() }
                     val size = match.groupValues[1].toInt()
                     if (numbers.size != 1 && numbers.size != size) return@replace match.value
+                    // Black is where a sum begins and what a branch without light returns: no colour of anything.
+                    if (numbers.take(3).all { it == 0f }) return@replace match.value
                     values[name] = FloatArray(size) { numbers[if (numbers.size == 1) 0 else it] }
                     texts[name] = match.value.replace(Regex("\\s+"), "")
                     name
                 }
-            val declarations = values.entries.joinToString(" ") { "uniform vec${it.value.size} ${it.key};" }
-            return LiftedConstants(afterVersion(CONST.replace(lifted, ""), declarations), values, texts)
+            val free = CONST.replace(lifted, "")
+            val deep = if (isDeep) DeepLift.of(free, "${prefix}m") else DeepLift(free, emptyList())
+            val declarations = values.map { "uniform vec${it.value.size} ${it.key};" } + deep.names.map { "uniform vec3 $it;" }
+            val ones = deep.names.associateWith { FloatArray(3) { 1f } }
+            return LiftedConstants(afterVersion(deep.source, declarations.joinToString(" ")), values + ones, texts, deep.names)
         }
 
         /** [source] with [text] on a line of its own behind the #version line and the #extension lines. */

@@ -8,25 +8,33 @@ import kotlin.math.min
  * One light by itself: everything else that shines is black, and what would still shine without it is subtracted.
  *
  * @param slot its colour.
+ * @param channel that is looked at: red, as a rule.
+ * @param matte uniform values that leave nothing of a specular term that no texture of its own turns off; [isShine] then asks for it alone.
  */
 internal class LightProbe(
     val box: BlackBox,
     val slot: ActiveUniform,
-    colors: ColorSlots,
+    private val colors: ColorSlots,
+    private val channel: Int = 0,
+    private val matte: Map<String, FloatArray> = emptyMap(),
+    private val isShine: Boolean = false,
 ) {
     private val dark = Setting().withColors(colors.factors.filter { isBlack(box, it) }, 1.0).withColors(colors.lights + colors.flats, 0.0)
     private val lit = dark.withColors(listOf(slot), DIM)
 
-    /** What the light of colour (1, 1, 1) adds to the red of [samples], the textures being [texels]; [changed] replaces other uniforms. */
+    /** The light's specular term by itself, as its texture leaves it. */
+    val shine: LightProbe get() = if (matte.isEmpty()) this else LightProbe(box, slot, colors, channel, matte, isShine = true)
+
+    /** What the light of colour (1, 1, 1) adds to the [channel] of [samples], the textures being [texels]; [changed] replaces uniforms. */
     fun shade(
         samples: List<Sample>,
         texels: Map<String, Double>,
         changed: Map<String, FloatArray> = emptyMap(),
     ): DoubleArray {
         if (samples.isEmpty()) return DoubleArray(0)
-        val with = box.shade(samples, Setting(lit.values + changed).withTexels(texels))
-        val without = box.shade(samples, Setting(dark.values + changed).withTexels(texels))
-        return DoubleArray(samples.size) { (with[3 * it] - without[3 * it]) / DIM }
+        val with = box.shade(samples, withLight(changed).withTexels(texels))
+        val without = box.shade(samples, without(changed).withTexels(texels))
+        return DoubleArray(samples.size) { (with[3 * it + channel] - without[3 * it + channel]) / DIM }
     }
 
     /** The same in the middle of triangles. */
@@ -34,10 +42,14 @@ internal class LightProbe(
         corners: List<Sample>,
         texels: Map<String, Double>,
     ): DoubleArray {
-        val with = box.shadeTriangles(corners, lit.withTexels(texels))
-        val without = box.shadeTriangles(corners, dark.withTexels(texels))
-        return DoubleArray(corners.size / 3) { (with[3 * it] - without[3 * it]) / DIM }
+        val with = box.shadeTriangles(corners, withLight(emptyMap()).withTexels(texels))
+        val without = box.shadeTriangles(corners, without(emptyMap()).withTexels(texels))
+        return DoubleArray(corners.size / 3) { (with[3 * it + channel] - without[3 * it + channel]) / DIM }
     }
+
+    private fun withLight(changed: Map<String, FloatArray>) = Setting(lit.values + changed + if (isShine) emptyMap() else matte)
+
+    private fun without(changed: Map<String, FloatArray>) = Setting((if (isShine) lit else dark).values + changed + matte)
 
     /** Where the light comes from at each of [points], by six normals each: brightness times direction, in terms of correct view normals. */
     fun gradients(

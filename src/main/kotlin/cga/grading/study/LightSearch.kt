@@ -18,7 +18,7 @@ internal class LightSearch(
                 val value = box.values[slot.name] ?: return@flatMap emptyList()
                 val raw = Vector3d(value[0].toDouble(), value[1].toDouble(), value[2].toDouble())
                 if (!raw.isFinite) emptyList() else listOfNotNull(raw, box.spaces.view?.transformPosition(raw, Vector3d()))
-            }.distinct()
+            }.plus(origins()).distinct()
 
     /** Directions that vector uniforms would be, likewise, and their opposites. */
     val axes: List<Vector3d> =
@@ -30,6 +30,15 @@ internal class LightSearch(
                 if (!raw.isFinite || !(raw.length() > 0)) return@flatMap emptyList()
                 listOfNotNull(raw.normalize(), box.spaces.view?.transformDirection(raw, Vector3d())?.normalize())
             }.distinct()
+
+    /** Where the lights are that are sent by their matrices: matrices that are none of those that vertices go through. */
+    private fun origins(): List<Vector3d> {
+        val known = listOfNotNull(box.spaces.model, box.spaces.view, box.spaces.modelView).map { it.getTranslation(Vector3d()) }
+        return box.program.matrices.mapNotNull { box.values[it] }.filter { it[3] == 0f && it[7] == 0f && it[11] == 0f && it[15] == 1f }
+            .map { VectorRef.vector(it, TRANSLATION) }
+            .filter { origin -> origin.isFinite && known.none { it.distance(origin) < 1e-5 } }
+            .flatMap { listOfNotNull(it, box.spaces.view?.transformPosition(it, Vector3d())) }
+    }
 
     /** Points to look at before anything is known: the surface, and near every hint. */
     fun samples(directions: Int): List<Sample> {
@@ -115,6 +124,7 @@ internal class LightSearch(
         /** Directions around each hint at a first look, and at one for narrow cones. */
         const val FEW_DIRECTIONS: Int = 24
         const val MANY_DIRECTIONS: Int = 160
+        private const val TRANSLATION = 12
         private const val RADIUS = 1.5
         private const val MOST = 2000
         private const val FEW = 32

@@ -46,11 +46,12 @@ internal class LightStudy(
     ): LightModel? {
         if (roles.specular == null) return null
         val texels = roles.onlySpecular
-        val lit = search.litPoints(probe, texels)
+        val shine = probe.shine
+        val lit = search.litPoints(shine, texels)
         val placement =
-            HintPlacement.of(probe, search.hints, lit, texels, Peak.SPECULAR)?.takeIf { it.view.distance(diffuse.view) > APART }
+            HintPlacement.of(shine, search.hints, lit, texels, Peak.SPECULAR)?.takeIf { it.view.distance(diffuse.view) > APART }
                 ?: return null
-        return measured(probe, Amplitudes(probe, placement, texels, unclamped = false, Peak.SPECULAR), lit, cosine, diffuse)
+        return measured(probe, Amplitudes(shine, placement, texels, unclamped = false, Peak.SPECULAR), lit, cosine, diffuse)
     }
 
     private fun texels(probe: LightProbe) =
@@ -94,7 +95,7 @@ internal class LightStudy(
         val placement = amplitudes.placement
         val axes = search.axes.flatMap { listOf(it, Vector3d(it).negate()) }.map { placement.directionFromView(it).normalize() }
         val seen = ConeFit.of(amplitudes, lit, axes)
-        val straight = AttenuationFit.of(amplitudes, seen?.axis)
+        val straight = AttenuationFit.of(amplitudes, seen?.brightest)
         val elsewhere = if (straight.error > AttenuationFit.ACCEPTED) AttenuationFit.fromElsewhere(amplitudes, search.hints) else null
         val attenuation = elsewhere ?: straight
         // Around a place that distances are not measured from, a light without a cone is uneven, too.
@@ -109,14 +110,14 @@ internal class LightStudy(
             floor = cosine.floor,
             attenuation = attenuation,
             cone = cone,
-            highlight = HighlightStudy(probe, roles, amplitudes, attenuation, cone, inside, random).highlight(),
+            highlight = HighlightStudy(probe.shine, roles, amplitudes, attenuation, cone, inside, random).highlight(),
             diffuseInterpolation = if (roles.diffuse != null) InterpolationTest.of(probe, placement, inside, roles.onlyDiffuse) else null,
             otherDirection = elsewhere != null || diffuse != null,
             isFromEye = (diffuse ?: placement).view.length() < APART,
             specularInterpolation = if (roles.specular !=
                 null
             ) {
-                InterpolationTest.of(probe, placement, inside, roles.onlySpecular)
+                InterpolationTest.of(probe.shine, placement, inside, roles.onlySpecular)
             } else {
                 null
             },

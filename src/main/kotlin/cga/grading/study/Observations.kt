@@ -80,7 +80,7 @@ internal class Observations(
     private fun lights(
         seen: Seen,
         view: Matrix4dc,
-    ): List<ObservedLight> = refs.getValue(seen.draw.program).map { it.light(seen.values, seen.spaces.view ?: view) }
+    ): List<ObservedLight> = refs.getValue(seen.draw.program).map { it.light(seen.values, seen.spaces.view ?: view, seen.spaces) }
 
     private fun vertices(seen: Seen): FloatArray {
         val location = seen.study.formula.positionLocation

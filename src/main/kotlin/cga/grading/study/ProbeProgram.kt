@@ -32,15 +32,21 @@ internal class ActiveUniform(
  * Its own `main` still runs; where it puts the vertex is written to `cga_clip` for transform feedback. Needs a current context.
  * Throws [InputError] with the driver's log when the program does not compile.
  */
-internal class ProbeProgram(captured: CapturedProgram) : AutoCloseable {
-    private val vertex = LiftedConstants.of(captured.vertexSource, "cga_v")
-    private val fragment = LiftedConstants.of(captured.fragmentSource, "cga_f")
+internal class ProbeProgram(
+    captured: CapturedProgram,
+    isDeep: Boolean = false,
+) : AutoCloseable {
+    private val vertex = LiftedConstants.of(captured.vertexSource, "cga_v", isDeep)
+    private val fragment = LiftedConstants.of(captured.fragmentSource, "cga_f", isDeep)
     private val isLifted: Boolean
     val id: Int
 
     /** Where [ProbeRig] feeds the pixel. */
     val pixelLocation: Int = (0..15).first { it !in captured.attributes.values }
     val uniforms: List<ActiveUniform>
+
+    /** Factors of vectors that are neither constants nor uniforms, where the program was lifted deeply; not among [uniforms]. */
+    val deep: List<ActiveUniform>
 
     /** Values of the constants that became uniforms. */
     val constants: Map<String, FloatArray>
@@ -51,7 +57,9 @@ internal class ProbeProgram(captured: CapturedProgram) : AutoCloseable {
         isLifted = lifted != null
         id = lifted ?: link(captured, captured.vertexSource, captured.fragmentSource)
         constants = if (isLifted) vertex.values + fragment.values else emptyMap()
-        uniforms = activeUniforms()
+        val (lifts, own) = activeUniforms().partition { it.name in vertex.deep || it.name in fragment.deep }
+        uniforms = own
+        deep = lifts
         glUseProgram(id)
         uniforms.filter { it.isSampler }.forEachIndexed { unit, sampler -> glUniform1i(sampler.location, unit) }
     }
@@ -64,7 +72,7 @@ internal class ProbeProgram(captured: CapturedProgram) : AutoCloseable {
 
     /** Sets every uniform that [values] knows, the program being in use. */
     fun send(values: Map<String, FloatArray>) {
-        for (uniform in uniforms) {
+        for (uniform in uniforms + deep) {
             val value = values[uniform.name] ?: continue
             if (uniform.isSampler || sent[uniform.name].contentEquals(value)) continue
             send(uniform, value)

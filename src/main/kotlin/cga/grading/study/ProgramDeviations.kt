@@ -1,5 +1,6 @@
 package cga.grading.study
 
+import cga.grading.findings.Check
 import cga.grading.findings.Found
 import cga.grading.findings.Mistake
 
@@ -49,25 +50,37 @@ internal object ProgramDeviations {
         val roles = study.roles ?: return emptyList()
         val found = mutableListOf<Deviation>()
 
-        fun add(mistake: Mistake) {
-            found += Deviation(mistake, "", 0.0, 1.0)
+        fun add(
+            mistake: Mistake,
+            check: Check = mistake.check,
+        ) {
+            found += Deviation(mistake, "", 0.0, 1.0, check = check)
         }
+        if (roles.isShared) add(Mistake.UNKNOWN, Check.MATERIAL)
         if (roles.diffuse == null && roles.specular != null) add(Mistake.DIFFUSE_MISSING)
         if (roles.specular == null && roles.untextured < 1e-3) add(Mistake.SPECULAR_MISSING)
-        if (isSwapped(roles)) add(Mistake.MAPS_SWAPPED)
+        if (isSwapped(roles, study.files)) add(Mistake.MAPS_SWAPPED)
         val units = study.box.program.samplers.mapNotNull { study.box.values[it.name]?.firstOrNull() }
         if (units.size != units.distinct().size) add(Mistake.SAMPLER_UNIT)
         if (study.exponent < 1 || roles.powers.values.any { it < ENCODED }) add(Mistake.GAMMA_DIRECTION)
         return found
     }
 
-    /** Whether the samplers' own names say that they have each other's work. */
-    private fun isSwapped(roles: TextureRoles): Boolean {
+    /** Whether the files that the samplers read, or else their own names, say that they have each other's work. */
+    private fun isSwapped(
+        roles: TextureRoles,
+        files: Map<String, Set<String>>,
+    ): Boolean {
         val diffuse = roles.diffuse ?: return false
         val specular = roles.specular ?: return false
-        return SPECULAR_NAME.containsMatchIn(diffuse) && !DIFFUSE_NAME.containsMatchIn(diffuse) &&
-            DIFFUSE_NAME.containsMatchIn(specular) && !SPECULAR_NAME.containsMatchIn(specular)
+        val names = listOf(diffuse, specular).map { files[it].orEmpty() }
+        if (names.all { it.isNotEmpty() }) return names[0].any(::saysSpecular) && names[1].any(::saysDiffuse)
+        return saysSpecular(diffuse) && saysDiffuse(specular)
     }
+
+    private fun saysSpecular(name: String) = SPECULAR_NAME.containsMatchIn(name) && !DIFFUSE_NAME.containsMatchIn(name)
+
+    private fun saysDiffuse(name: String) = DIFFUSE_NAME.containsMatchIn(name) && !SPECULAR_NAME.containsMatchIn(name)
 
     private fun emission(study: ProgramStudy): List<Deviation> =
         when (study.emission.form) {

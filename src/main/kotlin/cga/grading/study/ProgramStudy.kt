@@ -3,8 +3,10 @@ package cga.grading.study
 import cga.framework.InputError
 import cga.grading.capture.Capture
 import cga.grading.capture.CapturedDraw
+import cga.grading.capture.EventKind
 import org.joml.Vector3d
 import org.lwjgl.opengl.GL33C.GL_FLOAT_MAT4
+import org.lwjgl.opengl.GL33C.GL_SAMPLER_2D
 import kotlin.random.Random
 
 /**
@@ -13,6 +15,8 @@ import kotlin.random.Random
  * @param exponent what the picture was raised to before measuring: 1 without gamma, 2.2 undoes one, 1/2.2 one in the wrong direction.
  * @param normalsMoved whether the shader adds something to the normals.
  * @param isAwake whether uniforms that were never sent had to be given values for any light to shine.
+ * @param hidesLights whether something shines that none of the [colors] is the colour of.
+ * @param files names of the files that samplers read from, as far as known, over all draws.
  * @param lights that shine somewhere; [silent] that do not and could.
  */
 internal class ProgramStudy(
@@ -28,6 +32,8 @@ internal class ProgramStudy(
     val normalsMoved: Boolean,
     val isAwake: Boolean,
     val neverConed: List<LightModel>,
+    val hidesLights: Boolean,
+    val files: Map<String, Set<String>> = emptyMap(),
     private val sent: Map<String, List<FloatArray>> = emptyMap(),
 ) {
     /** The lights that are not black in all draws: what those would do nobody sees. */
@@ -43,34 +49,6 @@ internal class ProgramStudy(
             .flatMap { (sent[it.name]?.lastOrNull() ?: box.values[it.name] ?: FloatArray(0)).toList() }
             .map { it.toDouble() }
 
-    /** The lights of a program and what its textures do for them. */
-    private class Lit(
-        val probes: List<LightProbe>,
-        val roles: TextureRoles?,
-    ) {
-        companion object {
-            fun of(
-                box: BlackBox,
-                colors: ColorSlots,
-                search: LightSearch,
-            ): Lit {
-                val probes = colors.lights.map { LightProbe(box, it, colors) }
-                val white = box.program.samplers.associate { it.name to 1.0 }
-                val roles =
-                    probes.firstNotNullOfOrNull { probe ->
-                        search.litPoints(probe, white).takeIf { it.isNotEmpty() }?.let {
-                            TextureRoles.of(
-                                probe,
-                                it,
-                                colors.flats + colors.factors,
-                            )
-                        }
-                    }
-                return Lit(probes, roles)
-            }
-        }
-    }
-
     companion object {
         /** Studies program [number] of [capture] by [draw]. Throws [InputError] when it cannot be probed. */
         fun of(
@@ -82,8 +60,10 @@ internal class ProgramStudy(
         ): ProgramStudy {
             val (box, formula) = box(rig, program, capture, number, draw)
             val surface = surface(box, formula, DrawVertices(capture, draw))
-            val (decoded, colors) = colors(box, surface)
+            val (decoded, plain) = colors(box, surface)
             val search = LightSearch(decoded, surface)
+            val samples = LightSearch(decoded, surface).samples(LightSearch.FEW_DIRECTIONS)
+            val colors = if (program.deep.isEmpty()) plain else HiddenLights.added(decoded, plain, samples)
             val usual = Lit.of(decoded, colors, search)
             // What a shader adds to normals (the translation of a 4 × 4 matrix) is nothing beside long ones.
             val long = if (usual.roles != null &&
@@ -109,7 +89,8 @@ internal class ProgramStudy(
                     box,
                     decoded,
                 ),
-                neverConed(decoded, colors, surface, roles, lights), sentValues(capture, number, draw),
+                neverConed(decoded, colors, surface, roles, lights),
+                HiddenLights.areThere(decoded, colors, samples), files(capture, number), sentValues(capture, number, draw),
             )
         }
 
@@ -136,6 +117,19 @@ internal class ProgramStudy(
                     ?: threes.firstOrNull { isNormal(DrawVertices(capture, draw), it) }
             }
             return BlackBox(rig, program, formula.positionLocation, normal, others.filter { it != normal }, spaces, values) to formula
+        }
+
+        private fun files(
+            capture: Capture,
+            number: Int,
+        ): Map<String, Set<String>> {
+            val events = capture.events.filter { it.kind == EventKind.TEXTURE_FILE }
+            val names = events.associate { it.text.substringBefore(' ').toIntOrNull() to it.text.substringAfter(' ') }
+            val draws = capture.frames.flatMap { it.steps }.filterIsInstance<CapturedDraw>().filter { it.program == number }
+            val read = draws.flatMap { draw ->
+                draw.uniforms.filter { it.type == GL_SAMPLER_2D }.map { it.name to names[draw.textures[it.numbers[0].toInt()]] }
+            }
+            return read.groupBy({ it.first }, { it.second }).mapValues { it.value.filterNotNull().toSet() }.filterValues { it.isNotEmpty() }
         }
 
         /** Values of each uniform over all draws of program [number], those of [draw] last. */
@@ -186,7 +180,7 @@ internal class ProgramStudy(
             lights: List<LightModel>,
         ): List<LightModel> {
             val zeros = SilentLights.zeros(box)
-            if (roles == null || zeros.none { it.components <= 2 }) return emptyList()
+            if (roles == null || roles.isShared || zeros.none { it.components <= 2 }) return emptyList()
             val awake = SilentLights.awake(box, zeros)
             val study = LightStudy(LightSearch(awake, surface), roles)
             return lights.filter { it.cone == null }.filter { study.of(LightProbe(awake, it.probe.slot, colors))?.cone != null }

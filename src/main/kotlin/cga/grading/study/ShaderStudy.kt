@@ -48,9 +48,15 @@ public class ShaderStudy private constructor(
             val draws = capture.frames.flatMap { it.steps }.filterIsInstance<CapturedDraw>().groupBy { it.program }
             for ((number, all) in draws) {
                 try {
-                    val program = ProbeProgram(capture.programs.getOrNull(number) ?: throw InputError("program $number was not captured"))
-                    programs += program
-                    studies[number] = ProgramStudy.of(rig, program, capture, number, Representative.of(rig, program, capture, number, all))
+                    val captured = capture.programs.getOrNull(number) ?: throw InputError("program $number was not captured")
+
+                    fun study(isDeep: Boolean): ProgramStudy {
+                        val program = ProbeProgram(captured, isDeep).also(programs::add)
+                        return ProgramStudy.of(rig, program, capture, number, Representative.of(rig, program, capture, number, all))
+                    }
+                    val plain = study(isDeep = false)
+                    val deep = if (plain.hidesLights) study(isDeep = true) else plain
+                    studies[number] = if (deep.lights.size > plain.lights.size) deep else plain
                 } catch (e: InputError) {
                     notes += "program $number: ${e.message}"
                 }

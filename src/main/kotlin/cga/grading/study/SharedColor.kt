@@ -19,7 +19,8 @@ internal object SharedColor {
         texels: Map<String, Double>,
     ): List<SharedLight> {
         val random = Random(12)
-        val places = candidates.filterIndexed { i, c -> candidates.take(i).none { it.distance(c) < 1e-4 } }.take(MOST)
+        val different = candidates.filterIndexed { i, c -> candidates.take(i).none { it.distance(c) < 1e-4 } }
+        val places = shining(probe, different.take(MOST), texels)
         if (places.size < 2 || !isSum(probe, points.take(FIRST), places, texels)) return emptyList()
         val around =
             points + places.flatMap { c -> List(AROUND) { Vector3d(Directions.random(random)).mul(random.nextDouble(0.5, 4.0)).add(c) } }
@@ -32,7 +33,8 @@ internal object SharedColor {
         val shining = places.indices.filter { c -> strengths.sumOf { it.perPlace[c] } > 1e-3 * total }
         if (shining.size < 2) return emptyList()
         return shining.map { c ->
-            val measured = around.indices.filter { strengths[it].perPlace[c] > 1e-3 }
+            // Far away its share of the sum is small, and what is found of it inexact.
+            val measured = around.indices.filter { strengths[it].perPlace[c] > 1e-3 && around[it].distance(places[c]) < NEAR }
             val distances = DoubleArray(measured.size) { around[measured[it]].distance(places[c]) }
             val law = if (measured.size <
                 8
@@ -43,6 +45,21 @@ internal object SharedColor {
             }
             SharedLight(places[c], law)
         }
+    }
+
+    /** Those of [places] with a light: what faces it on one side of it is dark on the other, and nothing else changes that fast. */
+    private fun shining(
+        probe: LightProbe,
+        places: List<Vector3d>,
+        texels: Map<String, Double>,
+    ): List<Vector3d> {
+        val sides = listOf(-BESIDE, BESIDE)
+        val samples = places.flatMap { c -> Directions.AXES.flatMap { n -> sides.map { Sample(Vector3d(c).fma(it, n), n) } } }
+        val shades = probe.shade(samples, texels)
+        val per = 2 * Directions.AXES.size
+        val jumps = places.indices.map { c -> Directions.AXES.indices.sumOf { shades[per * c + 2 * it] - shades[per * c + 2 * it + 1] } }
+        val largest = jumps.filter { it.isFinite() }.maxOrNull() ?: return emptyList()
+        return places.filterIndexed { c, _ -> jumps[c] > JUMP * largest && jumps[c] > 0 }
     }
 
     /** Whether a look at a few [points] leaves it possible: the whole one takes seconds. */
@@ -95,6 +112,11 @@ internal object SharedColor {
     }
 
     private const val FIRST = 6
+
+    /** View-space units: so near that a light's distance changes nothing of its strength. */
+    private const val BESIDE = 0.02
+    private const val JUMP = 0.1
+    private const val NEAR = 5.0
     private const val MOST = 40
     private const val AROUND = 12
     private const val NORMALS = 64

@@ -29,6 +29,12 @@ internal class TextureRoles(
     /** Texture colours that leave only the specular term. */
     val onlySpecular: Map<String, Double> = listOfNotNull(specular, emission.takeIf { multiplied }).associateWith { 1.0 }
 
+    /** Whether diffuse and specular term have one texture. */
+    val isShared: Boolean get() = diffuse != null && diffuse == specular
+
+    /** These with the diffuse texture for the specular term as well. */
+    fun shared(): TextureRoles = TextureRoles(emission, diffuse, diffuse, multiplied, untextured, peak, exponents)
+
     companion object {
         /** Finds the roles from one light, which shines on [points]. */
         fun of(

@@ -18,6 +18,7 @@ internal class Recorder(
     private val framebuffers = FramebufferCalls(tape, window)
     private val clears = ClearCalls(tape, window)
     private val writes = WriteCalls(draws.buffers.writes, draws.textures.writes)
+    private val sentTwice = SentTwice(programs, tape)
     private val steps = ArrayList<CapturedStep>()
     private var moment: Moment? = null
 
@@ -77,6 +78,7 @@ internal class Recorder(
             "glLinkProgram" -> programs.linked(call.int(0))
             "glBindFragDataLocation" -> programs.bindOutput(call.int(0), call.int(1), MemoryUtil.memASCII(call.long(2)))
             "glGetUniformLocation" -> noteLocation(call)
+            "glUniform3f", "glUniform3fv" -> sentTwice.note(call)
         }
     }
 
@@ -99,6 +101,7 @@ internal class Recorder(
     }
 
     private fun draw(call: Call) {
+        sentTwice.drawn()
         val wanted = DrawCall.of(call) ?: return call.proceed()
         val moment = moment
         if (moment == null) {

@@ -3,6 +3,8 @@ package cga.grading.worker
 import cga.grading.capture.CaptureFile
 import cga.grading.capture.EventKind
 import java.io.IOException
+import java.io.UncheckedIOException
+import java.nio.file.Files
 import java.nio.file.Path
 
 /** The one run of a submission in this JVM, and the file that its capture goes to. */
@@ -44,9 +46,24 @@ internal object Session {
         if (isWritten) return
         isWritten = true
         try {
+            noteFiles()
             CaptureFile.write(tape.capture(), file)
         } catch (e: IOException) {
             System.err.println("the capture cannot be written: $e")
+        }
+    }
+
+    /** A help to tell textures apart: no capture fails for want of it. */
+    private fun noteFiles() {
+        try {
+            val folder = Path.of("assets").takeIf { Files.isDirectory(it) } ?: return
+            for ((number, name) in TextureFiles.of(tape.capture(), folder)) tape.event(EventKind.TEXTURE_FILE, "$number $name")
+        } catch (e: IOException) {
+            System.err.println("the textures' files cannot be read: $e")
+        } catch (e: UncheckedIOException) {
+            System.err.println("the textures' files cannot be read: $e")
+        } catch (e: LinkageError) {
+            System.err.println("the textures' files cannot be read: $e")
         }
     }
 

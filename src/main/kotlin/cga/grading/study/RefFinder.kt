@@ -1,0 +1,167 @@
+package cga.grading.study
+
+import org.joml.Matrix4d
+import org.joml.Matrix4dc
+import org.joml.Vector3d
+import org.joml.Vector3dc
+import kotlin.math.abs
+
+/** Looks for the uniforms whose values explain what was measured; of several with one value the one whose name is most like [color]'s. */
+internal class RefFinder(
+    private val color: String,
+    private val study: ProgramStudy,
+) {
+    private val values = study.box.values
+    private val view: Matrix4dc? = study.box.spaces.view
+    private val slots =
+        study.box.program.uniforms
+            .filter { it.components <= 4 && !it.isSampler && it.name in values && it.name != color }
+            .sortedByDescending { it.name.commonPrefixWith(color).length }
+
+    fun position(measured: Vector3d): VectorRef {
+        val tolerance = 1e-3 * (1 + measured.length())
+        for (sent in vectors() + columns(TRANSLATION)) {
+            if (sent.raw.distance(measured) < tolerance) return sent.ref(Space.VIEW, 1.0, measured)
+            val viewed = view?.transformPosition(sent.raw, Vector3d()) ?: continue
+            if (viewed.distance(measured) < tolerance) return sent.ref(Space.WORLD, 1.0, measured)
+        }
+        turnedOnly(measured)?.let { return VectorRef(it.name, Space.WORLD, 1.0, measured) }
+        return if (view ==
+            null
+        ) {
+            VectorRef(null, Space.VIEW, 1.0, measured)
+        } else {
+            VectorRef(null, null, 1.0, view.invert(Matrix4d()).transformPosition(measured))
+        }
+    }
+
+    /** The uniform that is at [measured] when it goes through the view matrix as a direction; null where one is there as a point. */
+    fun turnedOnly(measured: Vector3dc): ActiveUniform? {
+        val matrix = view ?: return null
+        val tolerance = 1e-3 * (1 + measured.length())
+        val (found, isPoint) =
+            vectors()
+                .partition { it.raw.length() > tolerance && matrix.transformDirection(it.raw, Vector3d()).distance(measured) < tolerance }
+                .let { (turned, _) ->
+                    turned to
+                        vectors().any {
+                            it.raw.distance(measured) < tolerance ||
+                                matrix.transformPosition(it.raw, Vector3d()).distance(measured) < tolerance
+                        }
+                }
+        return if (isPoint) null else found.firstOrNull()?.slot
+    }
+
+    fun cone(
+        cone: ConeFit,
+        axis: Vector3dc,
+    ): LightRefs.ConeRefs {
+        for (reversed in listOf(false, true)) {
+            val sign = if (reversed) -1 else 1
+            val words = ConeWords.of(
+                sign * cone.cosInner,
+                sign * cone.cosOuter,
+                slots
+                    .flatMap {
+                        values.getValue(it.name).toList()
+                    }.map { it.toDouble() },
+            )
+            if (words != null) return LightRefs.ConeRefs(direction(axis), words.form, number(words.full), number(words.dark), reversed)
+        }
+        return LightRefs.ConeRefs(
+            direction(axis),
+            AngleForm.COSINE,
+            NumberRef(null, 0, cone.cosInner),
+            NumberRef(null, 0, cone.cosOuter),
+            false,
+        )
+    }
+
+    /** K and the factor that the colour has beside: K is only known up to such a factor, and values that were sent settle it, then Table 1. */
+    fun attenuation(k: Vector3dc): Pair<List<NumberRef>, Double> {
+        val sent = slots.flatMap { slot -> values.getValue(slot.name).map { it.toDouble() } }.filter { it > 0 }.distinct()
+        val first = (0..2).firstOrNull { k[it] > 0 } ?: return List(3) { NumberRef(null, 0, k[it]) } to 1.0
+        val scales = listOf(1.0) + sent.map { it / k[first] }.filter { it in 1e-3..1e3 } + TABLE.map { it[first] / k[first] }
+        val explained =
+            scales.firstOrNull { scale ->
+                (0..2).all { i -> k[i] == 0.0 || sent.any { isNear(it, scale * k[i]) } } &&
+                    (scale == 1.0 || !(k.y() == 0.0 && k.z() == 0.0))
+            }
+                ?: scales.firstOrNull { scale -> TABLE.any { row -> (0..2).all { isNear(row[it], scale * k[it]) } } }
+                ?: 1.0
+        return List(3) { number(explained * k[it]) } to explained
+    }
+
+    /** The K among what was sent, or in Table 1, that adds up to [total]: 1/F at the distance 1. */
+    fun sumOf(total: Double): Vector3dc? =
+        (vectors().map { it.raw } + TABLE.map { Vector3d(it[0], it[1], it[2]) }).firstOrNull {
+            isNear(it.x + it.y + it.z, total) &&
+                it.x >= 0 &&
+                it.y >= 0 &&
+                it.z >= 0
+        }
+
+    private fun direction(axis: Vector3dc): VectorRef {
+        for (sent in vectors() + columns(*AXES)) {
+            if (!(sent.raw.length() > 0)) continue
+            val d = Vector3d(sent.raw).normalize()
+            for (factor in listOf(1.0, -1.0)) {
+                if (Vector3d(d).mul(factor).distance(axis) < 1e-3) return sent.ref(Space.VIEW, factor, axis)
+                val viewed = view?.transformDirection(d, Vector3d())?.normalize() ?: continue
+                if (viewed.mul(factor).distance(axis) < 1e-3) return sent.ref(Space.WORLD, factor, axis)
+            }
+        }
+        return if (view ==
+            null
+        ) {
+            VectorRef(null, Space.VIEW, 1.0, axis)
+        } else {
+            VectorRef(null, null, 1.0, view.invert(Matrix4d()).transformDirection(axis, Vector3d()))
+        }
+    }
+
+    private fun number(value: Double): NumberRef {
+        for (slot in slots) {
+            val index = values.getValue(slot.name).indexOfFirst { isNear(it.toDouble(), value) }
+            if (index >= 0 && value != 0.0) return NumberRef(slot.name, index, value)
+        }
+        return NumberRef(null, 0, value)
+    }
+
+    /** Three numbers of a uniform, from number [first] on. */
+    private class Sent(
+        val slot: ActiveUniform,
+        val first: Int,
+        val raw: Vector3d,
+    ) {
+        fun ref(
+            space: Space,
+            factor: Double,
+            measured: Vector3dc,
+        ) = VectorRef(slot.name, space, factor, measured, first)
+    }
+
+    private fun vectors(): List<Sent> =
+        slots.filter { it.components in 3..4 }.map { Sent(it, 0, VectorRef.vector(values.getValue(it.name), 0)) }
+
+    /** The columns of matrices that begin with the numbers [first]: a light may be sent by its matrix. */
+    private fun columns(vararg first: Int): List<Sent> =
+        study.box.program.matrices.filter { it !in study.formula.product && it in values }.flatMap { name ->
+            val slot = study.box.program.uniforms.single { it.name == name }
+            first.map { Sent(slot, it, VectorRef.vector(values.getValue(name), it)) }
+        }
+
+    private fun isNear(
+        a: Double,
+        b: Double,
+    ) = abs(a - b) <= 2e-4 * abs(b)
+
+    private companion object {
+        /** Where the columns of a 4 x 4 matrix begin: those of the axes, and that of the translation. */
+        val AXES = intArrayOf(0, 4, 8)
+        const val TRANSLATION = 12
+
+        /** Table 1 of the sheet: K of a point light and of a spotlight. */
+        val TABLE = listOf(listOf(1.0, 0.5, 0.1), listOf(0.5, 0.05, 0.01))
+    }
+}

@@ -74,7 +74,8 @@ class DocumentsTest {
         val asked = words.firstOrNull() ?: return null
         if (asked in LAUNCHERS_OWN) return null
         val command = COMMANDS[asked]?.invoke() ?: return "no command $asked"
-        val known = command.registeredOptions().flatMap { it.names + it.secondaryNames } + "--help"
+        val commands = listOf(command) + command.registeredSubcommands().filter { it.commandName in words }
+        val known = commands.flatMap { it.registeredOptions() }.flatMap { it.names + it.secondaryNames } + "--help"
         return words.map { it.substringBefore('=') }.firstOrNull { OPTION.matches(it) && it !in known }?.let { "no option $it" }
     }
 

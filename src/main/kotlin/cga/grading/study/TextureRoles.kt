@@ -33,7 +33,7 @@ internal class TextureRoles(
     val isShared: Boolean get() = diffuse != null && diffuse == specular
 
     /** These with the diffuse texture for the specular term as well. */
-    fun shared(): TextureRoles = TextureRoles(emission, diffuse, diffuse, multiplied, untextured, peak, exponents)
+    fun shared(): TextureRoles = TextureRoles(emission, diffuse, diffuse, multiplied, untextured, peak, powers)
 
     companion object {
         /** Finds the roles from one light, which shines on [points]. */

@@ -12,7 +12,8 @@ import kotlin.io.path.writeText
 
 /**
  * The submissions to test the grader with, `tests/submissions/`: a student's project of our own writing, and what becomes of it by
- * rewrites. `correct` are drawn from the freedoms of the sheet and deserve full points; each of `mistaken` has a mistake built in.
+ * rewrites. `correct` are drawn from the freedoms of the sheet and deserve full points; each of `mistaken` has a mistake built in, and so
+ * have those of `heldOut`, which the grader was not developed with.
  */
 internal object Corpus {
     private val home: Path = projectRoot.toPath().resolve("tests/submissions")
@@ -28,11 +29,17 @@ internal object Corpus {
     /** Every mistake, by name. */
     val mistakes: Map<String, Rewrite> = readAll("mistakes")
 
+<<<<<<< ours
     /** Correct in ways of their own, each tried on the plain project only, by name. */
     val students: Map<String, Rewrite> = readAll("students")
 
     /** Submissions without a mistake, as they are listed: by their rewrites. */
     val listed: List<Submission> by lazy { lists().map { (name, parts) -> correct(name, parts) } }
+=======
+    /** Every mistake that the grader was not developed with, by name. */
+    private val otherMistakes: Map<String, Rewrite> = readAll("held-out")
+    private val allMistakes: Map<String, Rewrite> = mistakes + otherMistakes
+>>>>>>> theirs
 
     /** Submissions without a mistake. */
     val correct: List<Submission> by lazy { listed + students.values.map { correct(it.name, it.with + it.name) } }
@@ -40,8 +47,11 @@ internal object Corpus {
     /** Submissions with a mistake, or several. */
     val mistaken: List<Submission> = mistakes.values.map { submission(it.name, it.with + it.name) }
 
+    /** Submissions with mistakes to judge the grader with, written without knowledge of it. */
+    val heldOut: List<Submission> = otherMistakes.values.map { submission(it.name, it.with + it.name) }
+
     /** All of them. */
-    val all: List<Submission> by lazy { correct + mistaken }
+    val all: List<Submission> by lazy { correct + mistaken + heldOut }
 
     private fun correct(
         name: String,
@@ -55,7 +65,7 @@ internal object Corpus {
         name: String,
         parts: List<String>,
     ): Submission {
-        val made = parts.mapNotNull(mistakes::get).map { it.expectation }
+        val made = parts.mapNotNull(allMistakes::get).map { it.expectation }
         return Submission(name, edition(parts), parts, Expectation(made.flatMap { it.mistakes }, made.flatMap { it.costs }.toSet()))
     }
 
@@ -63,7 +73,11 @@ internal object Corpus {
     fun sources(submission: Submission): Sources {
         val sources = TreeMap(course)
         for (name in submission.rewrites) {
+<<<<<<< ours
             val rewrite = checkNotNull(rewrites[name] ?: mistakes[name] ?: students[name]) { "${submission.name}: $name is no rewrite" }
+=======
+            val rewrite = checkNotNull(rewrites[name] ?: allMistakes[name]) { "${submission.name}: $name is no rewrite" }
+>>>>>>> theirs
             try {
                 rewrite.edits.forEach { it.applyTo(sources) }
             } catch (e: IllegalStateException) {

@@ -49,14 +49,34 @@ class CorpusTest {
     }
 
     @Test
+    fun `there are 30 mistaken submissions held out, of 25 mistakes and every task, some with two`() {
+        val expected = Corpus.heldOut.map { it.expectation }
+        assertTrue(expected.size >= 30) { "${expected.size}" }
+        assertTrue(expected.count { it.mistakes.size > 1 } >= 8)
+        assertTrue(expected.all { it.mistakes.isNotEmpty() && it.costs.isNotEmpty() })
+        val made = expected.flatMap { it.mistakes.flatten() }.toSet()
+        assertTrue(made.size >= 25) { "${made.size}" }
+        assertEquals(Check.entries.map { it.task }.toSet(), expected.flatMap { it.tasks }.map { it.take(TASK) }.toSet())
+    }
+
+    @Test
+    fun `every name is that of one rewrite, mistake or submission`() {
+        val names = Corpus.all.map { it.name }
+        assertEquals(names.distinct(), names)
+        val twice = (Corpus.mistaken + Corpus.heldOut).map { it.name }.filter { it in Corpus.rewrites }
+        assertEquals(emptyList<String>(), twice)
+    }
+
+    @Test
     fun `every mistake with a name is made by a submission`() {
         val made = Corpus.mistaken.flatMap { it.expectation.mistakes.flatten() }.toSet()
-        assertEquals(emptyList<Mistake>(), Mistake.entries - made - Mistake.UNKNOWN)
+        // All members compile; those that do not are RepairTest's.
+        assertEquals(emptyList<Mistake>(), Mistake.entries - made - Mistake.UNKNOWN - Mistake.KOTLIN_REFUSED)
     }
 
     @Test
     fun `every cost is that of a check`() {
-        val costs = Corpus.mistaken.flatMap { it.expectation.costs }.toSet()
+        val costs = (Corpus.mistaken + Corpus.heldOut).flatMap { it.expectation.costs }.toSet()
         assertEquals(emptySet<String>(), costs - Check.entries.map { it.id }.toSet())
     }
 
@@ -75,6 +95,9 @@ class CorpusTest {
     private companion object {
         const val SIZE = 14
         const val SEED = 4
+
+        /** Length of `4.2`. */
+        const val TASK = 3
         const val HEAD =
             "# Submissions without a mistake, by their rewrites: none, each alone, and mixtures in which any two that go together meet.\n" +
                 "# Made by running CorpusTest with -Dcga.corpus=fix.\n"

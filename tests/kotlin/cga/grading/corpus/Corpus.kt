@@ -29,17 +29,15 @@ internal object Corpus {
     /** Every mistake, by name. */
     val mistakes: Map<String, Rewrite> = readAll("mistakes")
 
-<<<<<<< ours
     /** Correct in ways of their own, each tried on the plain project only, by name. */
     val students: Map<String, Rewrite> = readAll("students")
 
     /** Submissions without a mistake, as they are listed: by their rewrites. */
     val listed: List<Submission> by lazy { lists().map { (name, parts) -> correct(name, parts) } }
-=======
+
     /** Every mistake that the grader was not developed with, by name. */
     private val otherMistakes: Map<String, Rewrite> = readAll("held-out")
     private val allMistakes: Map<String, Rewrite> = mistakes + otherMistakes
->>>>>>> theirs
 
     /** Submissions without a mistake. */
     val correct: List<Submission> by lazy { listed + students.values.map { correct(it.name, it.with + it.name) } }
@@ -73,11 +71,7 @@ internal object Corpus {
     fun sources(submission: Submission): Sources {
         val sources = TreeMap(course)
         for (name in submission.rewrites) {
-<<<<<<< ours
-            val rewrite = checkNotNull(rewrites[name] ?: mistakes[name] ?: students[name]) { "${submission.name}: $name is no rewrite" }
-=======
-            val rewrite = checkNotNull(rewrites[name] ?: allMistakes[name]) { "${submission.name}: $name is no rewrite" }
->>>>>>> theirs
+            val rewrite = checkNotNull(rewrites[name] ?: allMistakes[name] ?: students[name]) { "${submission.name}: $name is no rewrite" }
             try {
                 rewrite.edits.forEach { it.applyTo(sources) }
             } catch (e: IllegalStateException) {

@@ -56,8 +56,8 @@ class BuildParityTest {
         assertReport("JVM target: Gradle 21, Maven 17", report("(fromTarget\\().*\\)", "$1\"21\")"))
         assertReport("explicit API: Gradle false, Maven true", report("explicitApi\\(\\)", "explicitApiWarning()"))
         assertReport("test heap: Gradle 1g, Maven 2g", report("maxHeapSize = .*", "maxHeapSize = \"1g\""))
-        val sixMissing = List(6) { "runtime *: Gradle nothing, Maven *" }.joinToString()
-        assertReport(sixMissing.replace("*:", "*:*:natives-macos-arm64:"), report(", \"macos-arm64\"", ""))
+        val allMissing = List(7) { "runtime *: Gradle nothing, Maven *" }.joinToString()
+        assertReport(allMissing.replace("*:", "*:*:natives-macos-arm64:"), report(", \"macos-arm64\"", ""))
     }
 
     @Test

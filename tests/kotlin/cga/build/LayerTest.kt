@@ -16,7 +16,8 @@ class LayerTest {
             "imaging" to setOf("framework"),
             "grading" to setOf("imaging", "reference", "exercise", "framework"),
             "measure" to setOf("imaging", "reference", "exercise", "framework"),
-            "cli" to setOf("grading", "measure", "imaging", "reference", "exercise", "framework"),
+            "inspect" to setOf("imaging", "reference", "exercise", "framework"),
+            "cli" to setOf("grading", "measure", "inspect", "imaging", "reference", "exercise", "framework"),
         )
 
     private val sources = kotlinFiles("src/main/kotlin").map { Source(it.invariantSeparatorsPath, it.readText()) }

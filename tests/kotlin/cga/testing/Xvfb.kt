@@ -13,12 +13,12 @@ import kotlin.io.path.deleteRecursively
 import kotlin.io.path.isExecutable
 
 /** An X display of its own that nobody sees: xdotool is its hands, its framebuffer its eyes. No window manager runs on it. */
-class Xvfb : AutoCloseable {
+class Xvfb private constructor(size: String) : AutoCloseable {
     private val folder = createTempDirectory("cga-xvfb")
 
     // On a display number that it chooses, and says once clients may come; the screen is mapped to a file in the folder.
     private val server =
-        ProcessBuilder("Xvfb -displayfd 1 -screen 0 1280x800x24 -noreset -nolisten tcp -fbdir $folder".split(' '))
+        ProcessBuilder("Xvfb -displayfd 1 -screen 0 ${size}x24 -noreset -nolisten tcp -fbdir $folder".split(' '))
             .redirectError(DISCARD)
             .start()
 
@@ -69,11 +69,11 @@ class Xvfb : AutoCloseable {
     }
 
     companion object {
-        /** A new display. Where Xvfb or xdotool is missing the test is skipped, and in CI it fails. */
-        fun openOrSkip(): Xvfb {
+        /** A new display of [size] pixels. Where Xvfb or xdotool is missing the test is skipped, and in CI it fails. */
+        fun openOrSkip(size: String = "1280x800"): Xvfb {
             val missing = listOf("Xvfb", "xdotool").filterNot(::isInstalled)
             if (missing.isNotEmpty()) Offscreen.skip("needs ${missing.joinToString(" and ")}: apt-get install xvfb xdotool")
-            return Xvfb()
+            return Xvfb(size)
         }
 
         private fun isInstalled(program: String) = System.getenv("PATH").split(':').any { Path(it, program).isExecutable() }

@@ -32,6 +32,7 @@ internal val COMMANDS: Map<String, () -> CliktCommand> =
     mapOf(
         "run" to ::RunCommand,
         "render" to ::RenderCommand,
+        "replay" to ::ReplayCommand,
         "diff" to ::DiffCommand,
         "golden" to ::GoldenCommand,
         "doctor" to ::DoctorCommand,

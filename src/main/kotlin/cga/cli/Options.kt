@@ -9,6 +9,7 @@ import com.github.ajalt.clikt.parameters.options.convert
 import com.github.ajalt.clikt.parameters.options.default
 import com.github.ajalt.clikt.parameters.options.option
 import com.github.ajalt.clikt.parameters.types.choice
+import java.nio.file.Path
 
 // The options that several commands share.
 
@@ -47,6 +48,18 @@ internal fun requireUsage(
     message: () -> String,
 ) {
     if (!ok) throw UsageError(message())
+}
+
+/** The name of picture [frame] (from 0) of [frames]: `FILE-0001.png` and so on, the name itself where there is one only. */
+internal fun numbered(
+    file: Path,
+    frame: Int,
+    frames: Int,
+): Path {
+    if (frames == 1) return file
+    val name = file.fileName.toString()
+    val stem = name.substringBeforeLast('.')
+    return file.resolveSibling("$stem-%04d".format(frame + 1) + name.removePrefix(stem))
 }
 
 private fun steps(): String = Step.entries.joinToString { it.sheet }

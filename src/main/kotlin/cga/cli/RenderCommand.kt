@@ -8,6 +8,7 @@ import cga.framework.AtomicFile
 import cga.framework.ColorFormat
 import cga.framework.Phases
 import cga.framework.SpecularModel
+import cga.framework.image.ApngFile
 import cga.framework.image.ExrFile
 import cga.framework.image.PngFile
 import com.github.ajalt.clikt.core.CliktCommand
@@ -45,8 +46,11 @@ internal class RenderCommand : CliktCommand("render") {
     private val gamma by option("--gamma", metavar = "G", help = "Encode the colours for a screen of this gamma. Default: 1, none")
         .float()
         .default(1f)
-    private val out by option("--out", metavar = "FILE.png", help = "The picture. Default: motorcycle.png, unless --float is given")
-        .path()
+    private val out by option(
+        "--out",
+        metavar = "FILE.png",
+        help = "The picture, or FILE.apng: an animation. Default: motorcycle.png, unless --float is given",
+    ).path()
     private val float by option("--float", metavar = "FILE.exr", help = "The unclamped picture as OpenEXR, RGBA32F").path()
     private val renderer by rendererOption()
     private val frames by option("--frames", metavar = "N", help = "Render a sequence FILE-0001.png, FILE-0002.png, …").int().default(1)
@@ -61,6 +65,8 @@ internal class RenderCommand : CliktCommand("render") {
         Phases.span("context") { canvas() }.use { render(reading.result(), it, png) }
     }
 
+    private fun isAnimation(file: Path) = file.toString().endsWith(ApngFile.SUFFIX)
+
     private fun canvas(): Canvas =
         when (val renderer = renderer) {
             is Renderer.OpenGL -> OpenGLCanvas(renderer.kind, size, samples, if (float == null) ColorFormat.RGBA8 else ColorFormat.RGBA32F)
@@ -72,6 +78,9 @@ internal class RenderCommand : CliktCommand("render") {
         requireUsage(mouse.isFinite()) { "--mouse $mouse: the way must be finite" }
         requireUsage(gamma.isFinite() && gamma >= MIN_GAMMA) { "--gamma $gamma: gamma must be finite and at least $MIN_GAMMA" }
         requireUsage(frames in 1..MAX_FRAMES) { "--frames $frames: from 1 to $MAX_FRAMES" }
+        requireUsage(out?.let(::isAnimation) != true || (float == null && fps in 0.1..655.0)) {
+            "--out $out: an animation has no --float beside it, and from 0.1 to 655 pictures a second"
+        }
         requireUsage(fps.isFinite() && fps > 0) { "--fps $fps: must be finite and greater than 0" }
         requireUsage((startTime() + (frames - 1) / fps).isFinite()) { "--fps $fps: the last frame's time would be infinite" }
         requireUsage(samples >= 0) { "--samples $samples: must not be negative" }
@@ -95,7 +104,7 @@ internal class RenderCommand : CliktCommand("render") {
     ) {
         specular?.let { player.scene.specularModel = it }
         player.scene.gamma = gamma
-        if (frames == 1) picture(player, canvas, 0, png) else sequence(player, canvas, png)
+        if (frames == 1 && !(png != null && isAnimation(png))) picture(player, canvas, 0, png) else sequence(player, canvas, png)
         player.scene.cleanup()
     }
 
@@ -104,6 +113,12 @@ internal class RenderCommand : CliktCommand("render") {
         canvas: Canvas,
         png: Path?,
     ) {
+        if (png != null && isAnimation(png)) {
+            return ApngFile.write(png, frames, fps) { frame ->
+                draw(player, canvas, frame)
+                canvas.read()
+            }
+        }
         (0 until frames).toList().mapWithProgress(terminal, "rendering") { frame -> picture(player, canvas, frame, png) }
     }
 
@@ -113,14 +128,22 @@ internal class RenderCommand : CliktCommand("render") {
         frame: Int,
         png: Path?,
     ) {
+        draw(player, canvas, frame)
+        png?.let { file ->
+            val picture = Phases.span("read") { canvas.read() }
+            Phases.span("png") { PngFile.write(picture, numbered(file, frame, frames)) }
+        }
+        float?.let { ExrFile.write(canvas.readFloats(), numbered(it, frame, frames)) }
+    }
+
+    private fun draw(
+        player: ScriptedScene,
+        canvas: Canvas,
+        frame: Int,
+    ) {
         player.moveMouseTo(if (frames == 1) mouse else mouse * (frame / (frames - 1.0)))
         player.advanceTo(startTime() + frame / fps)
         Phases.span("draw") { canvas.draw(player.scene) }
-        png?.let { file ->
-            val picture = Phases.span("read") { canvas.read() }
-            Phases.span("png") { PngFile.write(picture, numbered(file, frame)) }
-        }
-        float?.let { ExrFile.write(canvas.readFloats(), numbered(it, frame)) }
     }
 
     /** One clock for everything: a script plays from 0, so its single picture is its end, and its sequence starts at 0. */
@@ -130,16 +153,6 @@ internal class RenderCommand : CliktCommand("render") {
             frames == 1 -> drive.duration
             else -> 0.0
         }
-
-    private fun numbered(
-        file: Path,
-        frame: Int,
-    ): Path {
-        if (frames == 1) return file
-        val name = file.fileName.toString()
-        val stem = name.substringBeforeLast('.')
-        return file.resolveSibling("$stem-%04d".format(frame + 1) + name.removePrefix(stem))
-    }
 
     private companion object {
         const val MAX_FRAMES = 9999

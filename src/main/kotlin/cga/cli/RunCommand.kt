@@ -1,7 +1,7 @@
 package cga.cli
 
-import cga.exercise.game.Game
 import cga.framework.Display
+import cga.inspect.InspectedGame
 import com.github.ajalt.clikt.core.CliktCommand
 import com.github.ajalt.clikt.core.Context
 import com.github.ajalt.clikt.core.parse
@@ -12,7 +12,7 @@ import com.github.ajalt.clikt.parameters.types.int
 
 /** `cga run`: the scene in a window, or as a picture where there is no display. */
 internal class RunCommand : CliktCommand("run") {
-    override fun help(context: Context): String = "Open the scene in a window. ${Game.HELP}."
+    override fun help(context: Context): String = "Open the scene in a window. ${InspectedGame.HELP}."
 
     private val step by stepOption()
     private val size by sizeOption()
@@ -25,7 +25,7 @@ internal class RunCommand : CliktCommand("run") {
             val picture = listOf("--step", step.sheet, "--size", "${size.width}x${size.height}", "--samples", "$samples")
             return RenderCommand().parse(picture)
         }
-        echo(Game.HELP, err = true)
-        Game(size.width, size.height, fullscreen, samples, step).run()
+        echo(InspectedGame.HELP, err = true)
+        InspectedGame(size.width, size.height, fullscreen, samples, step).run()
     }
 }

@@ -44,6 +44,10 @@ public abstract class GameWindow(
     final override var framebufferHeight: Int = height
         private set
 
+    /** Framebuffer pixels per screen coordinate: 2 on many displays of high resolution. */
+    public var pixelRatio: Float = 1f
+        private set
+
     /** Time of the last update in seconds since [run] began: the number of updates times their length, so it never drifts. */
     public val currentTime: Double get() = updates * updateStep
 
@@ -79,6 +83,22 @@ public abstract class GameWindow(
         ypos: Double,
     ) {}
 
+    /** A button of the mouse went down or up; GLFW's button, action and modifier constants. */
+    protected open fun onMouseButton(
+        button: Int,
+        action: Int,
+        mode: Int,
+    ) {}
+
+    /** The wheel turned by ([x], [y]) notches, up and left positive. */
+    protected open fun onScroll(
+        x: Double,
+        y: Double,
+    ) {}
+
+    /** A character was typed, as a Unicode code point. */
+    protected open fun onCharacter(codePoint: Int) {}
+
     /** Called once, with the context still current, before the window closes. */
     protected open fun shutdown() {}
 
@@ -90,6 +110,11 @@ public abstract class GameWindow(
     /** Shows the cursor, or hides it and lets it move without end. */
     public fun setCursorVisible(visible: Boolean) {
         glfwSetInputMode(window, GLFW_CURSOR, if (visible) GLFW_CURSOR_NORMAL else GLFW_CURSOR_DISABLED)
+    }
+
+    /** Puts [text] where other programs paste from. */
+    public fun copyToClipboard(text: String) {
+        if (window != NULL) glfwSetClipboardString(window, text)
     }
 
     /** Ends [run] after the current picture. */
@@ -142,7 +167,12 @@ public abstract class GameWindow(
         glfwWindowHint(GLFW_OPENGL_FORWARD_COMPAT, GLFW_TRUE)
         glfwWindowHint(GLFW_SAMPLES, msaasamples)
         window =
-            Glfw.openWindow(width, height, title, if (fullscreen) glfwGetPrimaryMonitor() else NULL) { reason ->
+            Glfw.openWindow(
+                width * INJECTED_RATIO,
+                height * INJECTED_RATIO,
+                title,
+                if (fullscreen) glfwGetPrimaryMonitor() else NULL,
+            ) { reason ->
                 InputError("no window with OpenGL $cvmaj.$cvmin can be opened ($reason): install or update the graphics driver.")
             }
         glfwSwapInterval(if (vsync) 1 else 0)
@@ -154,6 +184,9 @@ public abstract class GameWindow(
         glfwSetCursorEnterCallback(window) { _, inside -> cursorEntered = inside }
         glfwSetCursorPosCallback(window) { _, xpos, ypos -> moveMouse(xpos, ypos) }
         glfwSetFramebufferSizeCallback(window) { _, w, h -> resize(w, h) }
+        glfwSetMouseButtonCallback(window) { _, button, action, mode -> onMouseButton(button, action, mode) }
+        glfwSetScrollCallback(window) { _, x, y -> onScroll(x, y) }
+        glfwSetCharCallback(window) { _, codePoint -> onCharacter(codePoint) }
         val w = IntArray(1)
         val h = IntArray(1)
         glfwGetFramebufferSize(window, w, h)
@@ -165,13 +198,19 @@ public abstract class GameWindow(
         xpos: Double,
         ypos: Double,
     ) {
-        if (cursorEntered && glfwGetInputMode(window, GLFW_CURSOR) == GLFW_CURSOR_DISABLED) {
-            mouseOriginX = mouse.xpos - xpos
-            mouseOriginY = mouse.ypos - ypos
+        val isHidden = glfwGetInputMode(window, GLFW_CURSOR) == GLFW_CURSOR_DISABLED
+        if (cursorEntered && isHidden) {
+            mouseOriginX = mouse.xpos - xpos / INJECTED_RATIO
+            mouseOriginY = mouse.ypos - ypos / INJECTED_RATIO
+        }
+        // A cursor that is seen is where it is seen.
+        if (!isHidden) {
+            mouseOriginX = 0.0
+            mouseOriginY = 0.0
         }
         cursorEntered = false
-        mouse.xpos = mouseOriginX + xpos
-        mouse.ypos = mouseOriginY + ypos
+        mouse.xpos = mouseOriginX + xpos / INJECTED_RATIO
+        mouse.ypos = mouseOriginY + ypos / INJECTED_RATIO
         onMouseMove(mouse.xpos, mouse.ypos)
     }
 
@@ -183,13 +222,17 @@ public abstract class GameWindow(
         if (w == 0 || h == 0) return
         framebufferWidth = w
         framebufferHeight = h
+        val windowWidth = IntArray(1)
+        glfwGetWindowSize(window, windowWidth, null)
+        if (windowWidth[0] > 0) pixelRatio = w.toFloat() * INJECTED_RATIO / windowWidth[0]
     }
 
     private fun loop() {
         var last = glfwGetTime()
         var owed = 0.0
         while (!glfwWindowShouldClose(window)) {
-            glfwPollEvents()
+            // What nobody sees is not drawn, and a driver need not wait for a monitor then: sleep a little instead.
+            if (glfwGetWindowAttrib(window, GLFW_ICONIFIED) == GLFW_TRUE) glfwWaitEventsTimeout(MINIMISED_PAUSE) else glfwPollEvents()
             val now = glfwGetTime()
             val elapsed = now - last
             last = now
@@ -215,6 +258,10 @@ public abstract class GameWindow(
 
     private companion object {
         const val MAX_CATCH_UP = 0.25
+        const val MINIMISED_PAUSE = 0.05
         const val MAX_SIDE = 16384
+
+        /** For tests: stands in for a display of high resolution, whose framebuffer is so many times the size of the window. */
+        val INJECTED_RATIO: Int = Integer.getInteger("cga.pixelRatio", 1)
     }
 }

@@ -13,12 +13,14 @@ import kotlin.io.path.exists
  *
  * @param directory where it runs and leaves its screenshots.
  * @param home the folder of its shaders and assets.
+ * @param variables of its environment, besides the display's.
  */
 class RunningGame(
     private val display: Xvfb,
     private val directory: Path,
     options: String,
     home: Path = projectRoot.toPath(),
+    private val variables: Map<String, String> = emptyMap(),
 ) : AutoCloseable {
     private val outFile = directory.resolve("out.txt").toFile()
     private val errFile = directory.resolve("err.txt").toFile()
@@ -113,7 +115,7 @@ class RunningGame(
     ): Process {
         val command = CgaProcess.command("cga.cli.MainKt", listOf("run") + options.split(' '), home)
         val builder = ProcessBuilder(command).directory(directory.toFile()).redirectOutput(outFile).redirectError(errFile)
-        builder.environment() += display.variables + ("LIBGL_ALWAYS_SOFTWARE" to "1")
+        builder.environment() += display.variables + ("LIBGL_ALWAYS_SOFTWARE" to "1") + variables
         return builder.start()
     }
 

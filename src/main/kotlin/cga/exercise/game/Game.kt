@@ -1,5 +1,6 @@
 package cga.exercise.game
 
+import cga.exercise.components.shader.ShaderProgram
 import cga.framework.GameWindow
 import cga.framework.InputError
 import cga.framework.image.PngFile
@@ -8,14 +9,23 @@ import java.nio.file.Files
 import java.nio.file.Path
 
 /** The scene in a window: W/A/S/D drive, the mouse orbits, 1–8 choose the step, B, R, F12 and Esc as [HELP] says. */
-public class Game(
-    width: Int = 1280,
-    height: Int = 720,
-    fullscreen: Boolean = false,
-    msaasamples: Int = 4,
-    step: Step = Step.FINAL,
+public open class Game internal constructor(
+    width: Int,
+    height: Int,
+    fullscreen: Boolean,
+    msaasamples: Int,
+    step: Step,
+    newProgram: NewProgram,
 ) : GameWindow(width, height, fullscreen, true, 3, 3, "CGA Lights", msaasamples, 120) {
-    private val scene = Scene(this, step)
+    public constructor(
+        width: Int = 1280,
+        height: Int = 720,
+        fullscreen: Boolean = false,
+        msaasamples: Int = 4,
+        step: Step = Step.FINAL,
+    ) : this(width, height, fullscreen, msaasamples, step, ::ShaderProgram)
+
+    protected val scene: Scene = Scene(this, step, newProgram)
     private var screenshotWanted = false
 
     override fun start() {
@@ -35,8 +45,13 @@ public class Game(
         dt: Float,
         t: Float,
     ) {
-        scene.render()
+        draw()
         if (screenshotWanted) saveScreenshot()
+    }
+
+    /** Draws the picture that F12 saves. */
+    protected open fun draw() {
+        scene.render()
     }
 
     override fun onKey(
@@ -66,12 +81,13 @@ public class Game(
         scene.cleanup()
     }
 
-    private fun nameStep() {
+    /** Tells in the window's title what is shown. */
+    protected fun nameStep() {
         setTitle("CGA Lights · ${scene.step.sheet} ${scene.step.title} · ${scene.specularModel.title}")
     }
 
     // An error in a student's shader is no reason to end the program: the old one goes on.
-    private fun reloadShaders() {
+    protected open fun reloadShaders() {
         try {
             scene.reloadShaders()
             println("shaders reloaded")
@@ -80,10 +96,11 @@ public class Game(
         }
     }
 
-    private fun saveScreenshot() {
+    /** Saves what was drawn under the next free name. */
+    protected open fun saveScreenshot() {
         screenshotWanted = false
         try {
-            val file = freeName()
+            val file = freeName("screenshot-%03d.png")
             PngFile.write(readPicture(), file)
             println("saved $file")
         } catch (e: InputError) {
@@ -91,8 +108,9 @@ public class Game(
         }
     }
 
-    private fun freeName(): Path {
-        val names = generateSequence(1) { it + 1 }.map { Path.of("screenshot-%03d.png".format(it)) }
+    /** The first of [pattern] with 1, 2, … that no file has yet. */
+    protected fun freeName(pattern: String): Path {
+        val names = generateSequence(1) { it + 1 }.map { Path.of(pattern.format(it)) }
         return names.first { !Files.exists(it) }
     }
 

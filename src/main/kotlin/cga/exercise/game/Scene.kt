@@ -31,11 +31,11 @@ public class Scene internal constructor(
 ) {
     public constructor(window: WindowState, step: Step = Step.FINAL) : this(window, step, ::ShaderProgram)
 
-    private val ground =
+    internal val ground =
         ModelLoader.loadModel("assets/ground/ground.obj").apply { meshes.forEach { it.material?.tcMultiplier?.set(64f) } }
-    private val motorcycle = ModelLoader.loadModel("assets/motorcycle/motorcycle.obj")
+    internal val motorcycle = ModelLoader.loadModel("assets/motorcycle/motorcycle.obj")
     internal val camera: TronCamera = TronCamera(parent = motorcycle)
-    private val lights = SceneLights(motorcycle)
+    internal val lights = SceneLights(motorcycle)
 
     // One program for each number of lights that steps have: a light that is off costs nothing, not even an interpolated vector.
     private val programs =
@@ -46,11 +46,15 @@ public class Scene internal constructor(
     private var program = programs.getValue(lights.counts(step))
     internal val ride: Ride = Ride()
     internal val orbit: Orbit = Orbit()
-    private var time = 0.0
+    internal var time = 0.0
+        private set
 
     private val view = Matrix4d()
     private val matrix = Matrix4f()
     private val motorcycleTint = Vector3f()
+
+    /** Held in place of the colour that the step has, by whoever looks closer; null for none. */
+    internal var motorcycleColor: Vector3fc? = null
 
     /** Which part of the sheet is shown; setting it also chooses the step's [specularModel]. */
     public var step: Step = step
@@ -186,6 +190,7 @@ public class Scene internal constructor(
         if (step.color) colorAt(time, motorcycleTint) else motorcycleTint.set(1f)
         lights.setMotorcycleColor(motorcycleTint)
         // end of solution
+        motorcycleColor?.let { lights.setMotorcycleColor(motorcycleTint.set(it)) }
     }
 
     // solution 4.4: the colour of the ground, where the step has colour

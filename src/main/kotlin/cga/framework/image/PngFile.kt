@@ -33,8 +33,26 @@ public object PngFile {
         image: ImageData,
         file: OutputStream,
     ) {
+        start(file, image.width, image.height)
+        pixels(image) { chunk(file, "IDAT", it) }
+        chunk(file, "IEND", emptyList())
+    }
+
+    /** Writes what every PNG file of this size begins with. */
+    internal fun start(
+        file: OutputStream,
+        width: Int,
+        height: Int,
+    ) {
         file.write(SIGNATURE)
-        file.chunk("IHDR", listOf(bytes(image.width), bytes(image.height), FORMAT))
+        chunk(file, "IHDR", listOf(bytes(width), bytes(height), FORMAT))
+    }
+
+    /** Packs the pixels of [image] and hands the stream to [emit] piece by piece: the contents of its chunks. */
+    internal fun pixels(
+        image: ImageData,
+        emit: (List<ByteArray>) -> Unit,
+    ) {
         val checksum = Adler32()
         val last = (image.height - 1) / PngStrip.ROWS
         for (batch in (0..last).chunked(BATCH)) {
@@ -43,25 +61,26 @@ public object PngFile {
             val packed = strips.map { it.packed }
             val header = if (batch.first() == 0) listOf(ZLIB_HEADER) else emptyList()
             val trailer = if (batch.last() == last) listOf(bytes(checksum.value.toInt())) else emptyList()
-            file.chunk("IDAT", header + packed + trailer)
+            emit(header + packed + trailer)
         }
-        file.chunk("IEND", emptyList())
     }
 
-    private fun OutputStream.chunk(
+    /** Writes one chunk. */
+    internal fun chunk(
+        file: OutputStream,
         type: String,
         content: List<ByteArray>,
     ) {
         val checksum = CRC32()
         val name = type.toByteArray()
-        write(bytes(content.sumOf { it.size }))
+        file.write(bytes(content.sumOf { it.size }))
         for (part in listOf(name) + content) {
-            write(part)
+            file.write(part)
             checksum.update(part)
         }
-        write(bytes(checksum.value.toInt()))
+        file.write(bytes(checksum.value.toInt()))
     }
 
     /** Most significant byte first. */
-    private fun bytes(number: Int) = ByteArray(Int.SIZE_BYTES) { (number shr (24 - 8 * it)).toByte() }
+    internal fun bytes(number: Int) = ByteArray(Int.SIZE_BYTES) { (number shr (24 - 8 * it)).toByte() }
 }

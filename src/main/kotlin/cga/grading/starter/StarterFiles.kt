@@ -19,6 +19,9 @@ public object StarterFiles {
     public const val VERSION_LINE: String = "cga-starter 1"
 
     private val SOURCES = listOf("src/main/kotlin/cga/framework", "src/main/kotlin/cga/exercise", "shaders")
+
+    // The window's inspector shows the factors of the formula, which are the exercise.
+    private const val INSPECTOR = "shaders/inspect/"
     private val SOURCE_TYPES = setOf("kt", "vert", "frag")
     private val MODEL_TYPES = setOf("obj", "mtl", "png")
     private val COPIES =
@@ -55,7 +58,8 @@ public object StarterFiles {
         val home = Home.resolve("")
         val start = Home.resolve(folder)
         if (!start.isDirectory()) throw InputError("the folder $start does not exist: the starter is made where the project's sources are.")
-        return start.walk().filter { it.extension in types && !Files.isHidden(it) }.map { it.name(home) }.sorted().toList()
+        val files = start.walk().filter { it.extension in types && !Files.isHidden(it) }.map { it.name(home) }
+        return files.filterNot { it.startsWith(INSPECTOR) }.sorted().toList()
     }
 
     private fun Path.name(home: Path) = toAbsolutePath().relativeTo(home.toAbsolutePath()).invariantSeparatorsPathString

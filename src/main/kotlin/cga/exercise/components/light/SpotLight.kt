@@ -26,21 +26,38 @@ import kotlin.math.sin
 public class SpotLight(
     position: Vector3fc,
     lightColor: Vector3fc,
-    private val innerAngle: Float,
-    private val outerAngle: Float,
+    innerAngle: Float,
+    outerAngle: Float,
     attenuation: Vector3fc = Vector3f(0.5f, 0.05f, 0.01f),
 ) : PointLight(position, lightColor, attenuation),
     ISpotLight {
     private val world = Matrix4d()
     private val direction = Vector3d()
     private val directionView = Vector3f()
-    private val cone = Vector2f(versine(innerAngle), versine(outerAngle))
+    private val cone = Vector2f()
     private var uniforms = Uniforms("")
 
+    /** The two angles of the cone, as the constructor takes them; [setCone] changes them. */
+    public var innerAngle: Float = 0f
+        private set
+    public var outerAngle: Float = 0f
+        private set
+
     init {
-        require(innerAngle in 0f..outerAngle && outerAngle <= (PI / 2).toFloat()) {
-            "cone angles inner = $innerAngle, outer = $outerAngle rad must satisfy 0 ≤ inner ≤ outer ≤ π/2"
+        setCone(innerAngle, outerAngle)
+    }
+
+    /** Both angles at once, since one limits the other; radians, 0 ≤ [inner] ≤ [outer] ≤ π/2, else an [IllegalArgumentException]. */
+    public fun setCone(
+        inner: Float,
+        outer: Float,
+    ) {
+        require(inner in 0f..outer && outer <= (PI / 2).toFloat()) {
+            "cone angles inner = $inner, outer = $outer rad must satisfy 0 ≤ inner ≤ outer ≤ π/2"
         }
+        innerAngle = inner
+        outerAngle = outer
+        cone.set(versine(inner), versine(outer))
     }
 
     override fun bind(

@@ -27,13 +27,13 @@ public open class ShaderProgram(
     private val matrix = BufferUtils.createFloatBuffer(16)
 
     /** Makes this the program that draws and that [setUniform] speaks to. */
-    public fun use() {
+    public open fun use() {
         if (program == 0) program = Phases.span("shaders") { ShaderCompiler.link(vertex, fragment) }
         glUseProgram(program)
     }
 
     /** Compiles the files as they are now. When they do not compile, the [ShaderError] is thrown and the old program stays. */
-    public fun reload() {
+    public open fun reload() {
         val freshVertex = ShaderSource.read(vertexPath, constants)
         val freshFragment = ShaderSource.read(fragmentPath, constants)
         val fresh = ShaderCompiler.link(freshVertex, freshFragment)
@@ -115,7 +115,7 @@ public open class ShaderProgram(
     }
 
     /** Frees the program; using it again compiles again. */
-    public fun cleanup() {
+    public open fun cleanup() {
         if (program != 0) glDeleteProgram(program)
         program = 0
         locations.clear()

@@ -1,0 +1,94 @@
+package cga.inspect
+
+import cga.inspect.doctor.Finding
+import cga.inspect.ui.Ui
+import cga.inspect.ui.Widgets
+
+/** What the window has to say by itself: an error in a shader, why the picture is dark, that something was done. */
+internal class Notices {
+    /** The message of a shader that does not compile, or null. */
+    var error: String? = null
+
+    /** Likely causes of a dark picture; empty where it is not. */
+    var findings: List<Finding> = emptyList()
+    private var note = ""
+    private var noteEnd = 0.0
+
+    /** Says [text] for a moment from [time] (seconds) on. */
+    fun say(
+        text: String,
+        time: Double,
+    ) {
+        note = text
+        noteEnd = time + NOTE_SECONDS
+    }
+
+    /** Whether there is anything to draw at [time]. */
+    fun isAny(time: Double): Boolean = error != null || findings.isNotEmpty() || time < noteEnd
+
+    /** Draws them into a window of [width]×[height], beside a panel that takes [taken] on the right. */
+    fun draw(
+        ui: Ui,
+        width: Float,
+        height: Float,
+        taken: Float,
+        time: Double,
+    ) {
+        val room = (width - taken - 2 * MARGIN).coerceIn(MIN_WIDTH, MAX_WIDTH)
+        val error = error
+        if (error != null) {
+            drawError(ui, error, room, height)
+        } else if (findings.isNotEmpty()) {
+            drawFindings(ui, room, height)
+        }
+        if (time < noteEnd) ui.canvas(width, height) { words(note, MARGIN + PADDING, height - MARGIN - NOTE_HEIGHT, Widgets.GOOD) }
+    }
+
+    private fun drawError(
+        ui: Ui,
+        error: String,
+        room: Float,
+        height: Float,
+    ) {
+        val lines = error.lines().take(MAX_LINES)
+        val tall = (lines + AGAIN).sum { ui.widgets.height(it, room) + GAP } + TITLE
+        ui.panel("The shader does not compile; the old one stays in use", MARGIN, MARGIN, room, minOf(tall, height - 2 * MARGIN)) {
+            for (line in lines) paragraph(line, room, if (line.startsWith(SOURCE)) Widgets.WARNING else Widgets.ERROR)
+            paragraph(AGAIN, room, Widgets.FAINT)
+        }
+    }
+
+    private fun drawFindings(
+        ui: Ui,
+        room: Float,
+        height: Float,
+    ) {
+        val shown = findings.take(MAX_FINDINGS)
+        val tall = shown.sum { ui.widgets.height("1. ${it.found}", room) + ui.widgets.height(it.cure, room) + 2 * GAP } + TITLE + MORE
+        ui.panel("Dark? Likely causes, the likeliest first", MARGIN, MARGIN, room, minOf(tall, height - 2 * MARGIN)) {
+            for ((i, finding) in shown.withIndex()) {
+                paragraph("${i + 1}. ${finding.found}", room, Widgets.WARNING)
+                paragraph(finding.cure, room)
+            }
+            if (findings.size > shown.size) paragraph("and ${findings.size - shown.size} more: ./cga doctor --scene", room, Widgets.FAINT)
+        }
+    }
+
+    private fun <T> List<T>.sum(of: (T) -> Float): Float = fold(0f) { sum, it -> sum + of(it) }
+
+    private companion object {
+        const val NOTE_SECONDS = 2.5
+        const val MARGIN = 14f
+        const val PADDING = 10f
+        const val NOTE_HEIGHT = 18f
+        const val GAP = 5f
+        const val TITLE = 52f
+        const val MORE = 24f
+        const val SOURCE = "    "
+        const val AGAIN = "Save the file again: it is read by itself."
+        const val MIN_WIDTH = 220f
+        const val MAX_WIDTH = 760f
+        const val MAX_LINES = 14
+        const val MAX_FINDINGS = 5
+    }
+}

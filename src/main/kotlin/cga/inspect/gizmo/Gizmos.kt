@@ -1,0 +1,94 @@
+package cga.inspect.gizmo
+
+import cga.exercise.components.shader.ShaderProgram
+import cga.exercise.game.Scene
+import org.joml.Matrix4d
+import org.joml.Matrix4f
+import org.joml.Vector3d
+import org.lwjgl.opengl.GL33C.*
+import org.lwjgl.system.MemoryUtil
+
+/** Shows where the lights are: a star at each, and the inner and the outer cone of those that have one. Needs the OpenGL context. */
+internal class Gizmos(private val scene: Scene) : AutoCloseable {
+    private val program = ShaderProgram("shaders/inspect/lines.vert", "shaders/inspect/lines.frag")
+    private val lines = GizmoLines(MemoryUtil.memAllocFloat(MAX_VERTICES * GizmoLines.FLOATS))
+    private val vao = glGenVertexArrays()
+    private val vbo = glGenBuffers()
+    private val view = Matrix4d()
+    private val toClip = Matrix4d()
+    private val projection = Matrix4f()
+    private val sent = Matrix4f()
+    private val position = Vector3d()
+    private val direction = Vector3d()
+
+    init {
+        glBindVertexArray(vao)
+        glBindBuffer(GL_ARRAY_BUFFER, vbo)
+        glVertexAttribPointer(0, 3, GL_FLOAT, false, GizmoLines.FLOATS * Float.SIZE_BYTES, 0)
+        glVertexAttribPointer(1, 3, GL_FLOAT, false, GizmoLines.FLOATS * Float.SIZE_BYTES, 12)
+        glEnableVertexAttribArray(0)
+        glEnableVertexAttribArray(1)
+        glBindVertexArray(0)
+    }
+
+    /** Draws them over the scene that was just drawn, whose depth is still there: faintly where they are behind something. */
+    fun draw() {
+        trace()
+        scene.camera.calculateViewMatrix(view)
+        toClip.set(scene.camera.calculateProjectionMatrix(projection)).mul(view)
+        glBindVertexArray(vao)
+        glBindBuffer(GL_ARRAY_BUFFER, vbo)
+        glBufferData(GL_ARRAY_BUFFER, lines.vertices, GL_STREAM_DRAW)
+        program.use()
+        program.setUniform("toClip", sent.set(toClip), false)
+        glEnable(GL_BLEND)
+        glBlendFunc(GL_SRC_ALPHA, GL_ONE_MINUS_SRC_ALPHA)
+        glDepthMask(false)
+        draw(GL_LEQUAL, IN_SIGHT)
+        draw(GL_GREATER, BEHIND)
+        glDepthFunc(GL_LESS)
+        glDepthMask(true)
+        glDisable(GL_BLEND)
+        glBindVertexArray(0)
+    }
+
+    private fun draw(
+        depth: Int,
+        strength: Float,
+    ) {
+        glDepthFunc(depth)
+        program.setUniform("strength", strength)
+        glDrawArrays(GL_LINES, 0, lines.vertices.limit() / GizmoLines.FLOATS)
+    }
+
+    private fun trace() {
+        lines.clear()
+        val points = scene.lights.points
+        for (i in points.indices) {
+            lines.color(points[i].lightColor)
+            lines.marker(points[i].getWorldPosition(position))
+        }
+        val spots = scene.lights.spots
+        for (i in spots.indices) {
+            lines.color(spots[i].lightColor)
+            lines.marker(spots[i].getWorldPosition(position))
+            spots[i].getDirection(direction)
+            lines.cone(position, direction, spots[i].innerAngle.toDouble())
+            lines.cone(position, direction, spots[i].outerAngle.toDouble())
+        }
+        lines.vertices.flip()
+    }
+
+    override fun close() {
+        program.cleanup()
+        glDeleteVertexArrays(vao)
+        glDeleteBuffers(vbo)
+        MemoryUtil.memFree(lines.vertices)
+    }
+
+    private companion object {
+        const val MAX_VERTICES = 4096
+        const val IN_SIGHT = 0.9f
+        const val BEHIND = 0.2f
+    }
+}

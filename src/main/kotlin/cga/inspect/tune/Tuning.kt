@@ -1,0 +1,112 @@
+package cga.inspect.tune
+
+import cga.exercise.components.geometry.Renderable
+import cga.exercise.components.light.PointLight
+import cga.exercise.components.light.SpotLight
+import cga.exercise.game.Scene
+import cga.exercise.game.Step
+import org.joml.Vector3f
+
+/** One light of the scene and its knobs. */
+internal class TunedLight(
+    val name: String,
+    val light: PointLight,
+    val groups: List<KnobGroup>,
+)
+
+/** Every number of the [scene] that the panel turns: it changes the scene itself, so whatever asks the scene sees it. */
+internal class Tuning(private val scene: Scene) {
+    private val all = named(everyLight()).map { (name, light) -> TunedLight(name, light, knobsOf(light).groups()) }
+
+    /** The lights that shine at the scene's step, the point lights first. */
+    var lights: List<TunedLight> = emptyList()
+        private set
+
+    /** L_a and gamma. */
+    val picture: KnobGroup = KnobGroup("ambient light L_a and gamma", ambient() + gamma())
+
+    /** The exponents k. */
+    val materials: KnobGroup =
+        KnobGroup("exponent k", listOf(exponent("ground", scene.ground), exponent("motorcycle", scene.motorcycle)))
+
+    init {
+        stepChanged()
+    }
+
+    /** A step has its own attenuations, which are what [reset] goes back to from now on. */
+    fun stepChanged() {
+        val shining = scene.lights.points + scene.lights.spots
+        lights = all.filter { it.light in shining }
+        for (light in lights) light.groups.first { it.title == LightKnobs.ATTENUATION }.knobs.forEach(Knob::remember)
+    }
+
+    /** Everything as it was at the start. */
+    fun reset() {
+        for (knob in (all.flatMap { it.groups } + picture + materials).flatMap { it.knobs }) knob.reset()
+        // The motorcycle's colour goes with the time again.
+        scene.motorcycleColor = null
+    }
+
+    /** The values as Kotlin code, for the scene's own files. */
+    fun toKotlin(): String = KotlinCode.of(scene, lights)
+
+    /** Those of all steps, the point lights first. */
+    private fun everyLight(): List<PointLight> {
+        val points = LinkedHashSet<PointLight>()
+        val spots = LinkedHashSet<PointLight>()
+        for (step in Step.entries) {
+            scene.lights.switchTo(step)
+            points += scene.lights.points
+            spots += scene.lights.spots
+        }
+        scene.lights.switchTo(scene.step)
+        return (points + spots).toList()
+    }
+
+    private fun named(lights: List<PointLight>): List<Pair<String, PointLight>> {
+        val corners = lights.filter { it.parent == null }
+        return lights.map { light ->
+            when {
+                light in corners -> "cornerLight${corners.indexOf(light) + 1}"
+                light is SpotLight -> "spotLight"
+                else -> "pointLight"
+            } to light
+        }
+    }
+
+    // The motorcycle's own light has the motorcycle's colour: with one goes the other.
+    private fun knobsOf(light: PointLight) =
+        if (light.parent == null || light is SpotLight) {
+            LightKnobs(light)
+        } else {
+            LightKnobs(light) { color ->
+                light.lightColor = color
+                scene.motorcycleColor = Vector3f(color)
+            }
+        }
+
+    private fun ambient() =
+        listOf("L_a red", "L_a green", "L_a blue").mapIndexed { i, name ->
+            Knob(name, 0f, 1f, { scene.ambient.get(i) }) { scene.ambient = Vector3f(scene.ambient).setComponent(i, it) }
+        }
+
+    private fun gamma() = Knob("gamma", MIN_GAMMA, MAX_GAMMA, { scene.gamma }) { scene.gamma = it }
+
+    /** The exponent of the model's first material; the others keep their proportion to it. */
+    private fun exponent(
+        name: String,
+        model: Renderable,
+    ): Knob {
+        val materials = model.meshes.mapNotNull { it.material }.distinct()
+        val own = materials.map { it.shininess }
+        return Knob(name, 0f, MAX_EXPONENT, { materials.first().shininess }) { k ->
+            for (i in materials.indices) materials[i].shininess = k / own.first() * own[i]
+        }
+    }
+
+    private companion object {
+        const val MIN_GAMMA = 1f
+        const val MAX_GAMMA = 3f
+        const val MAX_EXPONENT = 256f
+    }
+}

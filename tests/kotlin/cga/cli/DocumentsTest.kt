@@ -30,7 +30,12 @@ class DocumentsTest {
     fun `every command has the name and the options that the documents give it`() {
         val lines = documents.flatMap { document -> COMMAND.findAll(document.readText()).map { document to it.value } }
         assertTrue(lines.size > 50) { "${lines.size} commands" }
-        assertEquals(emptyList<String>(), lines.mapNotNull { (document, line) -> wrongWord(line)?.let { "${name(document)}: '$line' has $it" } })
+        assertEquals(
+            emptyList<String>(),
+            lines.mapNotNull { (document, line) ->
+                wrongWord(line)?.let { "${name(document)}: '$line' has $it" }
+            },
+        )
     }
 
     @Test
@@ -47,7 +52,9 @@ class DocumentsTest {
     private fun name(document: Path) = root.relativize(document)
 
     /** Without what is code: a link there is none. */
-    private fun prose(document: Path) = document.readText().replace(Regex("(?s)```.*?```"), "").lines().filterNot { it.startsWith("    ") }.joinToString("\n")
+    private fun prose(
+        document: Path,
+    ) = document.readText().replace(Regex("(?s)```.*?```"), "").lines().filterNot { it.startsWith("    ") }.joinToString("\n")
 
     private fun complaint(
         document: Path,

@@ -17,7 +17,11 @@ internal class BenchCommand : CliktCommand("bench") {
     override fun help(context: Context): String =
         "Measure where the time goes, beside a C++ twin of the program, and write tables, pictures and JSON into a document."
 
-    private val runs by option("--runs", metavar = "N", help = "Rounds of everything that is timed. Default: 9").int().restrictTo(min = 1).default(9)
+    private val runs by option(
+        "--runs",
+        metavar = "N",
+        help = "Rounds of everything that is timed. Default: 9",
+    ).int().restrictTo(min = 1).default(9)
     private val only by option("--only", help = "Measure this part, and leave the others as they are; may be repeated")
         .choice(*SpeedReport.parts.toTypedArray())
         .multiple()

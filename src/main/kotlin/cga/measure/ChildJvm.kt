@@ -16,7 +16,9 @@ internal object ChildJvm {
         val java = Path.of(System.getProperty("java.home"), "bin", "java").toString()
         val home = System.getProperty("cga.home")?.let { mapOf("cga.home" to it) }.orEmpty()
         val options = (properties + home + ("java.awt.headless" to "true")).map { (name, value) -> "-D$name=$value" }
-        return listOf(java) + nativeAccess() + options + listOf("-cp", (classPath + System.getProperty("java.class.path")).joinToString(File.pathSeparator), main) + args
+        return listOf(java) + nativeAccess() + options +
+            listOf("-cp", (classPath + System.getProperty("java.class.path")).joinToString(File.pathSeparator), main) +
+            args
     }
 
     /** What newer JDKs want to be told, as this JVM was. */

@@ -88,7 +88,12 @@ class IsolationTest {
         val places = listOf("/", "/dev", "/etc", "/usr", "/usr/bin", "/proc/sys/kernel") + ours
         val outcome = hostile.shell("for d in ${places.joinToString(" ")}; do (: > \$d/made) 2>/dev/null && echo \$d; done; :")
         // The way to the scratch folder lies in the private temporary folder here, and is as private.
-        assertEquals(listOf("/tmp", "."), outcome.output.lines().filter { it.isNotEmpty() && "hostile" !in it }) { "${outcome.end} ${outcome.errors}" }
+        assertEquals(
+            listOf("/tmp", "."),
+            outcome.output.lines().filter {
+                it.isNotEmpty() && "hostile" !in it
+            },
+        ) { "${outcome.end} ${outcome.errors}" }
         assertFalse(hostile.outside.resolve("made").exists() || hostile.outside.resolveSibling("made").exists())
         assertFalse(Path("/tmp/made").exists())
     }

@@ -1,8 +1,8 @@
 package cga.measure.speed
 
 import cga.exercise.game.Step
-import cga.framework.cooked.CookedFile
 import cga.framework.context.ContextKind
+import cga.framework.cooked.CookedFile
 import cga.framework.model.CookedModel
 import cga.framework.model.ModelFile
 import cga.grading.worker.Interception
@@ -42,11 +42,20 @@ class FrameCostTest {
         val meshes = listOf("ground", "motorcycle").sumOf { ModelFile.read("assets/$it/$it.obj").meshes.size }
         val calls = callsOfOneFrame()
         assertEquals(meshes, calls.of("glDrawElements"))
-        assertEquals(5 * meshes + 2 * 3 + 5 * 3 + 5 + 4, calls.filter { it.startsWith("glUniform") }.size) { "${calls.groupingBy { it }.eachCount()}" }
+        assertEquals(
+            5 * meshes + 2 * 3 + 5 * 3 + 5 + 4,
+            calls
+                .filter {
+                    it.startsWith("glUniform")
+                }.size,
+        ) { "${calls.groupingBy { it }.eachCount()}" }
         assertEquals(1, calls.of("glUseProgram"))
         assertEquals(1, calls.of("glClear"))
         assertEquals(listOf<String>(), calls.filter { it.startsWith("glGet") || it.startsWith("glIs") })
-        assertEquals(listOf<String>(), calls.filter { it.startsWith("glGen") || it.startsWith("glBufferData") || it.startsWith("glTexImage") })
+        assertEquals(
+            listOf<String>(),
+            calls.filter { it.startsWith("glGen") || it.startsWith("glBufferData") || it.startsWith("glTexImage") },
+        )
     }
 
     private fun List<String>.of(function: String) = count { it == function }

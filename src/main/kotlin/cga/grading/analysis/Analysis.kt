@@ -77,7 +77,10 @@ internal class Analysis(
         /** The scene judge has its own words for these. */
         val QUIET =
             setOf(
-                EventKind.UNIFORM_ABSENT, EventKind.UNIFORM_WITHOUT_PROGRAM, EventKind.UNIFORM_OVERWRITTEN, EventKind.TEXTURE_FILE,
+                EventKind.UNIFORM_ABSENT,
+                EventKind.UNIFORM_WITHOUT_PROGRAM,
+                EventKind.UNIFORM_OVERWRITTEN,
+                EventKind.TEXTURE_FILE,
                 EventKind.GL_ERROR,
             )
     }

@@ -1,8 +1,8 @@
 package cga.grading.pipeline
 
 import cga.framework.InputError
-import cga.grading.compile.CompilerCache
 import cga.grading.compile.CompileResult
+import cga.grading.compile.CompilerCache
 import cga.grading.compile.LibraryUnavailable
 import cga.grading.compile.Repair
 import cga.grading.compile.SubmissionCompiler

@@ -53,9 +53,7 @@ internal class ColorSlots(
             samples: List<Sample>,
             slot: ActiveUniform,
             base: Setting = Setting().withTexels(box.program.samplers.associate { it.name to DARK }),
-        ): Boolean {
-            return look(box, samples, base, slot).let { it.isColor && !it.isFlat }
-        }
+        ): Boolean = look(box, samples, base, slot).let { it.isColor && !it.isFlat }
 
         /** Whether [a] does the same with [b] at 0 as with [b] at 1, all else as [setting] has it. */
         fun areApart(

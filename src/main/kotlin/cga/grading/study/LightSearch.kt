@@ -18,7 +18,8 @@ internal class LightSearch(
                 val value = box.values[slot.name] ?: return@flatMap emptyList()
                 val raw = Vector3d(value[0].toDouble(), value[1].toDouble(), value[2].toDouble())
                 if (!raw.isFinite) emptyList() else listOfNotNull(raw, box.spaces.view?.transformPosition(raw, Vector3d()))
-            }.plus(origins()).distinct()
+            }.plus(origins())
+            .distinct()
 
     /** Directions that vector uniforms would be, likewise, and their opposites. */
     val axes: List<Vector3d> =
@@ -34,7 +35,9 @@ internal class LightSearch(
     /** Where the lights are that are sent by their matrices: matrices that are none of those that vertices go through. */
     private fun origins(): List<Vector3d> {
         val known = listOfNotNull(box.spaces.model, box.spaces.view, box.spaces.modelView).map { it.getTranslation(Vector3d()) }
-        return box.program.matrices.mapNotNull { box.values[it] }.filter { it[3] == 0f && it[7] == 0f && it[11] == 0f && it[15] == 1f }
+        return box.program.matrices
+            .mapNotNull { box.values[it] }
+            .filter { it[3] == 0f && it[7] == 0f && it[11] == 0f && it[15] == 1f }
             .map { VectorRef.vector(it, TRANSLATION) }
             .filter { origin -> origin.isFinite && known.none { it.distance(origin) < 1e-5 } }
             .flatMap { listOfNotNull(it, box.spaces.view?.transformPosition(it, Vector3d())) }

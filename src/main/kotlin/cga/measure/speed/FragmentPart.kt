@@ -42,8 +42,8 @@ internal object FragmentPart {
                 }
             SpeedTable(
                 "What a fragment costs",
-                "${settings.size}, no samples, ours. *Fragments* pass the depth test; so many times the pixels that are covered is the overdraw. " +
-                    "*ns* is the whole frame divided by its fragments.",
+                "${settings.size}, no samples, ours. *Fragments* pass the depth test; so many times the pixels that are covered is the " +
+                    "overdraw. *ns* is the whole frame divided by its fragments.",
                 "step",
                 listOf("ms a frame", "fragments", "overdraw", "ns a fragment"),
                 rows,
@@ -75,7 +75,9 @@ internal object FragmentPart {
         val files = orders.mapIndexed { i, order -> Recording.write(order.frame, folder.resolve("$i").createDirectories()) }
         val rounds =
             List(settings.runs + 1) {
-                orders.indices.map { i -> median(twin.frameTimes(files[i], settings.kind, FRAMES, own = false, orders[i].isCulling).clocks()) }
+                orders.indices.map { i ->
+                    median(twin.frameTimes(files[i], settings.kind, FRAMES, own = false, orders[i].isCulling).clocks())
+                }
             }.drop(1)
         return SpeedTable(
             "Order",
@@ -101,7 +103,11 @@ internal object FragmentPart {
         recorded: RecordedFrame,
         order: (IntArray) -> IntArray,
     ): RecordedFrame =
-        copy(recorded, recorded.frame.draws.map { FrameDraw(it.vertices, order(it.indices), it.model, it.tint, it.material) }, recorded.uniforms)
+        copy(
+            recorded,
+            recorded.frame.draws.map { FrameDraw(it.vertices, order(it.indices), it.model, it.tint, it.material) },
+            recorded.uniforms,
+        )
 
     /** The motorcycle before the ground: the uniforms of each begin with its tint. */
     private fun turned(recorded: RecordedFrame): RecordedFrame {

@@ -26,7 +26,9 @@ internal object FramePart {
             val twin = Twin.compile(folder)
             val recordings = record(settings, folder)
             Speeds(settings).use { ours ->
-                val rows = recordings.map { (shot, recording) -> row(settings, shot, ours) { twin.frameTimes(recording, settings.kind, FRAMES, own = true) } }
+                val rows = recordings.map { (shot, recording) ->
+                    row(settings, shot, ours) { twin.frameTimes(recording, settings.kind, FRAMES, own = true) }
+                }
                 val alone = List(settings.runs) { ours.withoutDriver(Step.FINAL.sheet, ALONE) }
                 return section(rows, Sample(alone.map { median(it.thread) * 1e3 }), Sample(alone.map { median(it.bytes) }))
             }

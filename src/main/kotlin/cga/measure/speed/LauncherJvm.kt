@@ -36,7 +36,10 @@ internal class LauncherJvm private constructor(
                     Lever("the cooked model and textures", cooked),
                     Lever("the JIT compiler and the heap for short runs", SHORT),
                 )
-            return LauncherJvm(own - archive.toSet() - cooked.toSet() - SHORT.toSet() + listOf("-cp", System.getProperty("java.class.path")), levers)
+            return LauncherJvm(
+                own - archive.toSet() - cooked.toSet() - SHORT.toSet() + listOf("-cp", System.getProperty("java.class.path")),
+                levers,
+            )
         }
 
         // As the launcher has them for `render`.

@@ -59,7 +59,11 @@ internal object MicroPart {
         val result = folder.resolve("result.json")
         val jmh = listOf("-f", "1", "-wi", "3", "-w", "300ms", "-i", "$runs", "-r", "300ms", "-bm", "avgt", "-tu", "ns", "-prof", "gc")
         val command =
-            ChildJvm.command("org.openjdk.jmh.Main", jmh + listOf("-rf", "json", "-rff", "$result", "-foe", "true"), classPath = listOf("$folder"))
+            ChildJvm.command(
+                "org.openjdk.jmh.Main",
+                jmh + listOf("-rf", "json", "-rff", "$result", "-foe", "true"),
+                classPath = listOf("$folder"),
+            )
         val log = folder.resolve("jmh.log").toFile()
         val process = ProcessBuilder(command).redirectErrorStream(true).redirectOutput(log).start()
         if (process.waitFor() != 0) throw InputError("JMH failed: ${log.readLines().takeLast(5).joinToString(" ")}")
@@ -69,8 +73,8 @@ internal object MicroPart {
     private fun table(results: List<JsonObject>): SpeedTable =
         SpeedTable(
             "Operations",
-            "JMH, one fork, averages of 0.3 s; over the iterations the median (lowest–highest). *Twice* are two operations. The frame loop " +
-                "uses `worldModelMatrix` and `normalMatrix`; the others are what students call.",
+            "JMH, one fork, averages of 0.3 s; over the iterations the median (lowest–highest). *Twice* are two operations. The frame " +
+                "loop uses `worldModelMatrix` and `normalMatrix`; the others are what students call.",
             "operation",
             listOf("ns", "bytes"),
             results.map { SpeedRow(name(it), sample(it.getValue("primaryMetric").jsonObject), bytes(it)) },
@@ -82,7 +86,14 @@ internal object MicroPart {
         return "`$method`, chain of $length"
     }
 
-    private fun sample(metric: JsonObject) = Sample(metric.getValue("rawData").jsonArray.flatMap { it.jsonArray }.map { it.jsonPrimitive.double })
+    private fun sample(metric: JsonObject) = Sample(
+        metric
+            .getValue("rawData")
+            .jsonArray
+            .flatMap {
+                it.jsonArray
+            }.map { it.jsonPrimitive.double },
+    )
 
     private fun bytes(result: JsonObject): Sample? {
         val metrics = result.getValue("secondaryMetrics").jsonObject

@@ -75,7 +75,10 @@ ${bars.joinToString("\n")}
         val top = TOP + ROW * row
         val text = "%.0f ms".format(null, span.endInclusive - span.start)
         return """<text x="${LEFT - 8}" y="${top + 15}" text-anchor="end">$name</text>
-<rect x="${"%.1f".format(null, left)}" y="$top" width="${"%.1f".format(null, maxOf(right - left, 1.0))}" height="${ROW - 4}" fill="#0072b2"/>
+<rect x="${"%.1f".format(
+            null,
+            left,
+        )}" y="$top" width="${"%.1f".format(null, maxOf(right - left, 1.0))}" height="${ROW - 4}" fill="#0072b2"/>
 <text x="${"%.1f".format(null, right + 5)}" y="${top + 15}">$text</text>"""
     }
 

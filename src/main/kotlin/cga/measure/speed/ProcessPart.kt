@@ -83,8 +83,8 @@ internal object ProcessPart {
     ) = SpeedTable(
         "One picture as a process",
         "Step 4.7, ${settings.size}, to PNG; all in turns, ${settings.runs} rounds after one that is not counted: the median " +
-            "(lowest–highest). *Started directly* is what the launcher ends in, without the shell in front; below it the same without one of " +
-            "its levers, and without any. The memory was read once.",
+            "(lowest–highest). *Started directly* is what the launcher ends in, without the shell in front; below it the same without one " +
+            "of its levers, and without any. The memory was read once.",
         "",
         listOf("s", "processor s", "resident, MiB"),
         rows,
@@ -103,7 +103,14 @@ internal object ProcessPart {
     }
 
     private fun timeline(phases: List<PhaseTime>) =
-        TimelinePicture("performance-process", "Where the time of one picture goes", phases.sortedBy { it.start }.map { it.name to it.start..it.end })
+        TimelinePicture(
+            "performance-process",
+            "Where the time of one picture goes",
+            phases.sortedBy { it.start }.map {
+                it.name to
+                    it.start..it.end
+            },
+        )
 
     /** The process that the launcher starts, and its variants: its options are this process' own. */
     private class Render(

@@ -34,7 +34,9 @@ internal class SpeedTable(
     /** The median and, where several were measured, the lowest and the highest. */
     fun toMarkdown(): String {
         val header = "| $first | ${columns.joinToString(" | ")} |\n|---|${"---:|".repeat(columns.size)}"
-        return "#### $title\n\n$note\n\n$header\n${rows.joinToString("\n") { "| ${it.name} | ${it.cells.joinToString(" | ", transform = ::text)} |" }}"
+        return "#### $title\n\n$note\n\n$header\n${rows.joinToString(
+            "\n",
+        ) { "| ${it.name} | ${it.cells.joinToString(" | ", transform = ::text)} |" }}"
     }
 
     fun toJson(): JsonElement =

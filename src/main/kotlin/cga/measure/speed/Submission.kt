@@ -46,7 +46,13 @@ internal class Submission(
         List(lights) { i -> PointLight(Vector3f(i % 5f, 1f, i % 3f), Vector3f(1f)).also { it.parent = parent } }
     private val names = List(lights) { "pointLight[$it]" }
     private val view = Matrix4d().translate(0.0, -1.0, -4.0)
-    private val send: () -> Unit = if (way == Way.OURS) ::sendOurs else CourseWay(parent, renderables, pointLights, mesh, material, view)::send
+    private val send: () -> Unit = if (way ==
+        Way.OURS
+    ) {
+        ::sendOurs
+    } else {
+        CourseWay(parent, renderables, pointLights, mesh, material, view)::send
+    }
 
     /** Times [count] frames. */
     fun time(count: Int): FrameTimes = FrameTimes.measure(count) { draw() }
@@ -86,7 +92,8 @@ internal class Submission(
     internal companion object {
         const val MOST_LIGHTS = 64
         private const val SIZE = 16
-        private val TRIANGLE = floatArrayOf(0f, 0f, 0f, 0f, 0f, 0f, 1f, 0f, 0.1f, 0f, 0f, 1f, 0f, 0f, 1f, 0f, 0f, 0.1f, 0f, 0f, 1f, 0f, 0f, 1f)
+        private val TRIANGLE =
+            floatArrayOf(0f, 0f, 0f, 0f, 0f, 0f, 1f, 0f, 0.1f, 0f, 0f, 1f, 0f, 0f, 1f, 0f, 0f, 0.1f, 0f, 0f, 1f, 0f, 0f, 1f)
         private val LAYOUT = arrayOf(VertexAttribute(3, 32, 0), VertexAttribute(2, 32, 12), VertexAttribute(3, 32, 20))
 
         private fun grey() = Texture2D(ImageData.ofColor(0.5f, 0.5f, 0.5f), false)

@@ -92,11 +92,12 @@ internal object SubmissionPart {
         val rows =
             points.getValue(Way.OURS).zip(points.getValue(Way.COURSE)) { ours, course ->
                 SpeedRow(
-                    "${ours.number}", ours.micros, course.micros, ours.microsWithoutDriver, course.microsWithoutDriver, ours.bytes, course.bytes,
+                    "${ours.number}",
+                    listOf(ours.micros, course.micros, ours.microsWithoutDriver, course.microsWithoutDriver, ours.bytes, course.bytes),
                 )
             }
         val columns =
-            listOf("ours, µs a frame", "course's way, µs", "ours without Mesa, µs", "course's without Mesa, µs", "ours, heap bytes", "course's, heap bytes")
+            listOf("µs a frame", "µs without Mesa", "heap bytes").flatMap { listOf("ours, $it", "course's way, $it") }
         return SpeedTable(title, note, first, columns, rows)
     }
 

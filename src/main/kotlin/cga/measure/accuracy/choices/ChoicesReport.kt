@@ -28,7 +28,10 @@ internal class ChoicesReport(private val settings: AccuracySettings) {
         }
         val groups = software.groups + gpuGroups + reference + matrices
         val introduction =
-            "${Host.describe(software.renderer, software.version)}. ${settings.runs} runs, interleaved: median, lowest and highest; what differs by less than they " +
+            "${Host.describe(
+                software.renderer,
+                software.version,
+            )}. ${settings.runs} runs, interleaved: median, lowest and highest; what differs by less than they " +
                 "do differs by chance. Load average at the start: $load. ${missing.joinToString(" ") { "$it." }}"
         val plots = plots(software.groups, matrices)
         val tables = groups.joinToString("\n\n") { it.toMarkdown() }

@@ -83,8 +83,8 @@ internal object ProcessPart {
     ) = SpeedTable(
         "One picture as a process",
         "Step 4.7, ${settings.size}, to PNG; all in turns, ${settings.runs} rounds after one that is not counted: the median " +
-            "(lowest–highest). *Started directly* is what the launcher ends in, without the shell in front; below it the same without one " +
-            "of its levers, and without any. The memory was read once.",
+            "(lowest–highest). *Started directly* is what the launcher ends in, without the shell in front; below it the same without " +
+            "one of its levers, and without any. The memory was read once.",
         "",
         listOf("s", "processor s", "resident, MiB"),
         rows,

@@ -15,8 +15,8 @@ import org.lwjgl.opengl.GL33C.*
 
 /**
  * Sends what [Submission] sends, the same numbers to the same names, in the manner of the course's original framework: the location of a
- * uniform is asked for whenever it is set, world matrices are made anew at each call and by recursion through the parents, names are put together
- * at each bind. For comparison only.
+ * uniform is asked for whenever it is set, world matrices are made anew at each call and by recursion through the parents, names are put
+ * together at each bind. For comparison only.
  */
 internal class CourseWay(
     parent: Transformable,

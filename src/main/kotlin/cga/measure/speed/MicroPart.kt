@@ -21,8 +21,8 @@ import kotlin.io.path.readText
 import kotlin.io.path.walk
 
 /**
- * Single operations, with JMH. JMH measures by classes that it writes for each benchmark; they are written and compiled here, at run time, so
- * that neither build needs a step for it.
+ * Single operations, with JMH. JMH measures by classes that it writes for each benchmark; they are written and compiled here, at run
+ * time, so that neither build needs a step for it.
  */
 internal object MicroPart {
     private val BENCHMARKS = listOf(TransformBenchmark::class.java, ChainBenchmark::class.java)

@@ -2,7 +2,10 @@ package cga.measure.speed
 
 import kotlin.random.Random
 
-/** The order in which a mesh's triangles are drawn, three indices a triangle. It changes no picture of a closed mesh, but how often a vertex is shaded. */
+/**
+ * The order in which a mesh's triangles are drawn, three indices a triangle. It changes no picture of a closed mesh, but how often a
+ * vertex is shaded.
+ */
 internal object TriangleOrder {
     /** The vertices that post-transform caches of real GPUs hold, about. */
     const val CACHE = 16

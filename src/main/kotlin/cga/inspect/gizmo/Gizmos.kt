@@ -4,6 +4,7 @@ import cga.exercise.components.shader.ShaderProgram
 import cga.exercise.game.Scene
 import org.joml.Matrix4d
 import org.joml.Matrix4f
+import org.joml.Vector2f
 import org.joml.Vector3d
 import org.lwjgl.opengl.GL33C.*
 import org.lwjgl.system.MemoryUtil
@@ -20,6 +21,7 @@ internal class Gizmos(private val scene: Scene) : AutoCloseable {
     private val sent = Matrix4f()
     private val position = Vector3d()
     private val direction = Vector3d()
+    private val cone = Vector2f()
 
     init {
         glBindVertexArray(vao)
@@ -73,8 +75,9 @@ internal class Gizmos(private val scene: Scene) : AutoCloseable {
             lines.color(spots[i].lightColor)
             lines.marker(spots[i].getWorldPosition(position))
             spots[i].getDirection(direction)
-            lines.cone(position, direction, spots[i].innerAngle.toDouble())
-            lines.cone(position, direction, spots[i].outerAngle.toDouble())
+            spots[i].getCone(cone)
+            lines.cone(position, direction, cone.x.toDouble())
+            lines.cone(position, direction, cone.y.toDouble())
         }
         lines.vertices.flip()
     }

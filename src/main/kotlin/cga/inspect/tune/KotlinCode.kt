@@ -3,6 +3,7 @@ package cga.inspect.tune
 import cga.exercise.components.light.PointLight
 import cga.exercise.components.light.SpotLight
 import cga.exercise.game.Scene
+import org.joml.Vector2f
 import org.joml.Vector3fc
 
 /** What the panel was turned to, as Kotlin code in the course's own classes. */
@@ -26,8 +27,9 @@ internal object KotlinCode {
 
     private fun PointLight.code(): String =
         if (this is SpotLight) {
-            "SpotLight(${code(getPosition())}, ${code(lightColor)}, ${code(innerAngle)}, ${code(outerAngle)}, ${code(attenuation)})" +
-                " // ${LightKnobs.degrees(innerAngle)}° and ${LightKnobs.degrees(outerAngle)}°"
+            val cone = getCone(Vector2f())
+            "SpotLight(${code(getPosition())}, ${code(lightColor)}, ${code(cone.x)}, ${code(cone.y)}, ${code(attenuation)})" +
+                " // ${LightKnobs.degrees(cone.x)}° and ${LightKnobs.degrees(cone.y)}°"
         } else {
             "PointLight(${code(getPosition())}, ${code(lightColor)}, ${code(attenuation)})"
         }

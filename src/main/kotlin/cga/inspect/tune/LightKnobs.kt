@@ -2,6 +2,7 @@ package cga.inspect.tune
 
 import cga.exercise.components.light.PointLight
 import cga.exercise.components.light.SpotLight
+import org.joml.Vector2f
 import org.joml.Vector3f
 import org.joml.Vector3fc
 
@@ -15,6 +16,7 @@ internal class LightKnobs(
     private val setColor: (Vector3fc) -> Unit = { light.lightColor = it },
 ) {
     private val vector = Vector3f()
+    private val angles = Vector2f()
 
     /** Colour, position, attenuation, and the cone where there is one. */
     fun groups(): List<KnobGroup> =
@@ -45,14 +47,14 @@ internal class LightKnobs(
                 "inner",
                 0f,
                 MAX_ANGLE,
-                { degrees(light.innerAngle) },
-            ) { light.setCone(radians(it), maxOf(radians(it), light.outerAngle)) },
+                { degrees(light.getCone(angles).x) },
+            ) { light.setCone(radians(it), maxOf(radians(it), light.getCone(angles).y)) },
             Knob(
                 "outer",
                 0f,
                 MAX_ANGLE,
-                { degrees(light.outerAngle) },
-            ) { light.setCone(minOf(radians(it), light.innerAngle), radians(it)) },
+                { degrees(light.getCone(angles).y) },
+            ) { light.setCone(minOf(radians(it), light.getCone(angles).x), radians(it)) },
         )
 
     private fun axes(

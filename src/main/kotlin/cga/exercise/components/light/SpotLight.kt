@@ -37,11 +37,8 @@ public class SpotLight(
     private val cone = Vector2f()
     private var uniforms = Uniforms("")
 
-    /** The two angles of the cone, as the constructor takes them; [setCone] changes them. */
-    public var innerAngle: Float = 0f
-        private set
-    public var outerAngle: Float = 0f
-        private set
+    private var innerAngle = 0f
+    private var outerAngle = 0f
 
     init {
         setCone(innerAngle, outerAngle)
@@ -59,6 +56,9 @@ public class SpotLight(
         outerAngle = outer
         cone.set(versine(inner), versine(outer))
     }
+
+    /** The inner and the outer angle, radians, for whoever shows them. */
+    internal fun getCone(dest: Vector2f): Vector2f = dest.set(innerAngle, outerAngle)
 
     override fun bind(
         shaderProgram: ShaderProgram,

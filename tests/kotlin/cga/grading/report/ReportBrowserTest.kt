@@ -103,7 +103,7 @@ class ReportBrowserTest {
         assertEquals("3", text("`${'$'}{document.querySelectorAll('.hint').length}`"))
         assertEquals("2", text("`${'$'}{document.querySelectorAll('.curve svg .measured[d*=L]').length}`"))
         assertEquals("4", text("`${'$'}{document.querySelectorAll('.lights img').length}`"))
-        assertTrue(text("document.querySelector('.part:last-of-type').textContent").contains("Kotlin 2.2.21, language level 2.0"))
+        assertTrue(text("document.querySelector('.part:last-of-type').textContent").contains("Kotlin 2.2.21, Sprachstufe 2.0"))
     }
 
     @Test

@@ -44,7 +44,7 @@ internal class LinePicture(
     }
 }
 
-/** When what ran: a bar for each of [spans] (name to start and end in milliseconds), one below the other. */
+/** When what ran: a row for each name of [spans] with a bar for each time it ran (start and end in milliseconds), and the sum of them. */
 internal class TimelinePicture(
     override val name: String,
     override val title: String,
@@ -53,34 +53,36 @@ internal class TimelinePicture(
     override fun write(folder: Path): Unit = AtomicFile.write(folder.resolve("$name.svg")) { it.writeText(svg()) }
 
     private fun svg(): String {
-        val end = spans.maxOf { it.second.endInclusive }
-        val scale = (WIDTH - LEFT - RIGHT) / end
-        val bars = spans.mapIndexed { i, (name, span) -> bar(i, name, LEFT + span.start * scale, LEFT + span.endInclusive * scale, span) }
-        val height = TOP + ROW * spans.size + 10
+        val scale = (WIDTH - LEFT - RIGHT) / spans.maxOf { it.second.endInclusive }
+        val rows = spans.groupBy({ it.first }, { it.second }).entries.mapIndexed { i, (name, ran) -> row(TOP + ROW * i, name, ran, scale) }
+        val height = TOP + ROW * rows.size + 10
         return """<svg xmlns="http://www.w3.org/2000/svg" viewBox="0 0 $WIDTH $height" font-family="sans-serif" font-size="13" fill="#222222">
 <rect width="$WIDTH" height="$height" fill="#ffffff"/>
 <text x="${WIDTH / 2}" y="22" font-size="16" font-weight="bold" text-anchor="middle">$title</text>
-${bars.joinToString("\n")}
+${rows.joinToString("\n")}
 </svg>
 """
     }
 
-    private fun bar(
-        row: Int,
+    private fun row(
+        top: Int,
         name: String,
-        left: Double,
-        right: Double,
-        span: ClosedRange<Double>,
+        ran: List<ClosedRange<Double>>,
+        scale: Double,
     ): String {
-        val top = TOP + ROW * row
-        val text = "%.0f ms".format(null, span.endInclusive - span.start)
+        val bars =
+            ran.map {
+                val width = maxOf((it.endInclusive - it.start) * scale, 1.0)
+                """<rect x="${digits(LEFT + it.start * scale)}" y="$top" width="${digits(width)}" height="${ROW - 4}" fill="#0072b2"/>"""
+            }
+        val sum = "%.0f ms".format(null, ran.sumOf { it.endInclusive - it.start })
+        val end = digits(LEFT + ran.maxOf { it.endInclusive } * scale + 5)
         return """<text x="${LEFT - 8}" y="${top + 15}" text-anchor="end">$name</text>
-<rect x="${"%.1f".format(
-            null,
-            left,
-        )}" y="$top" width="${"%.1f".format(null, maxOf(right - left, 1.0))}" height="${ROW - 4}" fill="#0072b2"/>
-<text x="${"%.1f".format(null, right + 5)}" y="${top + 15}">$text</text>"""
+${bars.joinToString("\n")}
+<text x="$end" y="${top + 15}">$sum</text>"""
     }
+
+    private fun digits(x: Double) = "%.1f".format(null, x)
 
     private companion object {
         const val WIDTH = 900

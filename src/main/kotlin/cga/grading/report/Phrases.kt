@@ -32,7 +32,11 @@ internal class Phrases private constructor(
     private fun whole(text: String, depth: Int): String? =
         phrases.firstNotNullOfOrNull { phrase ->
             phrase.pattern.matchEntire(text)?.let { match ->
-                PLACE.replace(phrase.words) { place -> argument(match.groupValues[place.groupValues[1].toInt() + 1], depth) }
+                PLACE.replace(phrase.words) { place ->
+                    val (number, literally) = place.destructured
+                    val said = match.groupValues[number.toInt() + 1]
+                    if (literally.isEmpty()) argument(said, depth) else said
+                }
             }
         } ?: named(text)
 
@@ -64,7 +68,7 @@ internal class Phrases private constructor(
         private const val DEEPEST = 4
         private const val LONGEST = 4000
         private const val CODE = 3
-        private val PLACE = Regex("""\{(\d)}""")
+        private val PLACE = Regex("""\{(\d)(!?)}""")
         private val ZEROS = Regex("""(\.\d*?)0+(?![\de])""")
         private val POINT = Regex("""(?<=\d)\.(?=\d)""")
         private val NUMBERS = Regex("""[-+()\d.,;e°% ]*\d[-+()\d.,;e°% ]*""")

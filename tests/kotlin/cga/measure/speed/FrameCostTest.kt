@@ -2,6 +2,7 @@ package cga.measure.speed
 
 import cga.exercise.game.Step
 import cga.framework.context.ContextKind
+import cga.framework.context.GlFunctions
 import cga.framework.cooked.CookedFile
 import cga.framework.model.CookedModel
 import cga.framework.model.ModelFile
@@ -65,10 +66,8 @@ class FrameCostTest {
         Offscreen.openOrSkip(ContextKind.OSMESA).use {
             val calls = ArrayList<String>()
             val driver = checkNotNull(GL.getFunctionProvider())
-            GL.setCapabilities(null)
-            GL.destroy()
-            GL.create(Interception(driver::getFunctionAddress) { call -> calls.add(call.name).also { call.proceed() } })
-            GL.createCapabilities(true)
+            val counted = Interception(driver::getFunctionAddress) { call -> calls.add(call.name).also { call.proceed() } }
+            GlFunctions.load(counted::getFunctionAddress)
             SteadyFrame(Step.FINAL, size, 0).use { frame ->
                 frame.draw()
                 calls.clear()

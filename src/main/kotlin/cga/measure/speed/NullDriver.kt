@@ -1,8 +1,8 @@
 package cga.measure.speed
 
+import cga.framework.context.GlFunctions
 import org.lwjgl.opengl.GL
 import org.lwjgl.system.APIUtil.apiCreateLibrary
-import org.lwjgl.system.FunctionProvider
 import org.lwjgl.system.MemoryUtil
 
 /**
@@ -17,21 +17,14 @@ internal object NullDriver {
     /** Runs [work] without a driver, in a context that is current; afterwards the driver is back. */
     fun <T> use(work: () -> T): T {
         val driver = checkNotNull(GL.getFunctionProvider()) { "no context is current" }
-        load { name -> if (isQuery(MemoryUtil.memASCII(name))) driver.getFunctionAddress(name) else nothing }
+        GlFunctions.load { name -> if (isQuery(MemoryUtil.memASCII(name))) driver.getFunctionAddress(name) else nothing }
         try {
             return work()
         } finally {
-            load(driver)
+            GlFunctions.load(driver::getFunctionAddress)
         }
     }
 
     // LWJGL itself asks for the version and for errors when it loads the functions.
     private fun isQuery(function: String) = function.startsWith("glGet")
-
-    private fun load(driver: FunctionProvider) {
-        GL.setCapabilities(null)
-        GL.destroy()
-        GL.create(driver)
-        GL.createCapabilities(true)
-    }
 }

@@ -13,7 +13,7 @@ internal class SteadyFrame(
     step: Step,
     private val size: PictureSize,
     samples: Int,
-) : AutoCloseable {
+) : TimedFrame() {
     private val player = ScriptedScene(size.width, size.height, step)
     private val target = RenderTarget(size.width, size.height, samples)
 
@@ -21,21 +21,11 @@ internal class SteadyFrame(
         player.moveMouseTo(0.0)
     }
 
-    /** From the first matrix to the last pixel. */
-    fun draw() {
+    override fun draw() {
         player.advanceTo(PRETTY_TIME)
         target.bind()
         player.scene.render()
         glFinish()
-    }
-
-    /** Times [count] frames. */
-    fun time(count: Int): FrameTimes = FrameTimes.measure(count) { draw() }
-
-    /** Times [count] frames of a driver that does nothing. */
-    fun timeWithoutDriver(count: Int): FrameTimes {
-        draw()
-        return NullDriver.use { FrameTimes.measure(count) { draw() } }
     }
 
     /** How many fragments pass the depth test in a frame, and how many pixels they cover. */

@@ -34,7 +34,7 @@ internal class Submission(
     way: Way,
     objects: Int,
     lights: Int,
-) : AutoCloseable {
+) : TimedFrame() {
     private val target = RenderTarget(SIZE, SIZE)
     private val folder = createTempDirectory("cga-submission")
     private val program = ShaderProgram(write("submission.vert", VERTEX), write("submission.frag", FRAGMENT))
@@ -54,16 +54,7 @@ internal class Submission(
         CourseWay(parent, renderables, pointLights, mesh, material, view)::send
     }
 
-    /** Times [count] frames. */
-    fun time(count: Int): FrameTimes = FrameTimes.measure(count) { draw() }
-
-    /** Times [count] frames of a driver that does nothing. */
-    fun timeWithoutDriver(count: Int): FrameTimes {
-        draw()
-        return NullDriver.use { FrameTimes.measure(count) { draw() } }
-    }
-
-    private fun draw() {
+    override fun draw() {
         target.bind()
         glClear(GL_COLOR_BUFFER_BIT or GL_DEPTH_BUFFER_BIT)
         program.use()

@@ -78,6 +78,7 @@ public class SpeedReport(private val file: Path) {
                 "submission" to SubmissionPart::measure,
                 "fragment" to FragmentPart::measure,
                 "micro" to MicroPart::measure,
+                "commands" to CommandPart::measure,
             )
 
         /** The names of all parts. */

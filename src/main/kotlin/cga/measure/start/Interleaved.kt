@@ -7,10 +7,7 @@ import cga.measure.Sample
 internal class ProcessTimes(
     val seconds: Sample,
     val processorSeconds: Sample,
-) {
-    /** The times of one of [parts] equal parts. */
-    operator fun div(parts: Int): ProcessTimes = ProcessTimes(seconds / parts, processorSeconds / parts)
-}
+)
 
 /**
  * Times commands against each other on a machine that does other things too: a round runs each once, every second one in the opposite

@@ -1,7 +1,7 @@
 #!/bin/sh
 # ./cga test: what it installs, what it runs.
 . "$(dirname "$0")/sandbox.sh"
-printf '%s\n' libosmesa6 libegl1 libgl1-mesa-dri libgl1 xvfb xdotool g++ libglm-dev shellcheck bubblewrap chromium >"$sandbox/home/installed-packages"
+printf '%s\n' libosmesa6 libegl1 libgl1-mesa-dri libgl1 xvfb xdotool openbox g++ libglm-dev shellcheck bubblewrap chromium >"$sandbox/home/installed-packages"
 stub mvn <<END
 echo 'Tests run: 3' && pwd >"$sandbox/folder" && env >"$sandbox/environment" && exit 1
 END
@@ -26,7 +26,7 @@ cga test --tests
 check 'a pattern that is missing ends with 2' ended 2
 check 'without a test' not called mvn
 
-printf '%s\n' libosmesa6 libegl1 libgl1-mesa-dri libgl1 xdotool shellcheck bubblewrap chromium >"$sandbox/home/installed-packages"
+printf '%s\n' libosmesa6 libegl1 libgl1-mesa-dri libgl1 xdotool openbox shellcheck bubblewrap chromium >"$sandbox/home/installed-packages"
 cga test
 check 'what the tests need and is missing is named' \
     said 'missing: xvfb g++ libglm-dev; type: sudo apt-get install -y --no-install-recommends xvfb g++ libglm-dev'
@@ -36,11 +36,11 @@ cga test
 check 'root installs it' called 'apt-get install -y --no-install-recommends xvfb g++ libglm-dev$'
 
 echo libosmesa6 >"$sandbox/home/unknown-packages"
-printf '%s\n' libegl1 libgl1-mesa-dri libgl1 xvfb xdotool g++ libglm-dev shellcheck bubblewrap chromium >"$sandbox/home/installed-packages"
+printf '%s\n' libegl1 libgl1-mesa-dri libgl1 xvfb xdotool openbox g++ libglm-dev shellcheck bubblewrap chromium >"$sandbox/home/installed-packages"
 cga test
 check 'a Debian that has dropped OSMesa is not asked for it' not called 'apt-get install'
 
-printf '%s\n' libosmesa6 libegl1 libgl1-mesa-dri libgl1 xvfb xdotool g++ libglm-dev shellcheck bubblewrap >"$sandbox/home/installed-packages"
+printf '%s\n' libosmesa6 libegl1 libgl1-mesa-dri libgl1 xvfb xdotool openbox g++ libglm-dev shellcheck bubblewrap >"$sandbox/home/installed-packages"
 cga test
 check 'a browser is installed' called 'apt-get install -y --no-install-recommends chromium$'
 echo chromium >>"$sandbox/home/unknown-packages"

@@ -94,6 +94,20 @@ class RenderCommandTest {
     }
 
     @Test
+    fun `an animation is one file, whose first picture is the still one`() {
+        render("--frames", "3", "--fps", "2", "--t", "1", "--mouse", "200", "--size", "32x18", "--out", "s.apng")
+        render("--t", "1", "--size", "32x18", "--out", "single.png")
+        assertFiles("s.apng", "single.png")
+        // Readers that know nothing of animation see the first picture.
+        assertArrayEquals(read("single.png").rgba, read("s.apng").rgba)
+        val chunks = folder.resolve("s.apng").readBytes().toString(Charsets.ISO_8859_1)
+        assertEquals(listOf(1, 3, 2), listOf("acTL", "fcTL", "fdAT").map { it.toRegex().findAll(chunks).count() })
+        val refused = cga("render", "--out", "s.apng", "--float", "a.exr")
+        assertEquals(2, refused.exitCode, "$refused")
+        assertTrue("--float" in refused.err, "$refused")
+    }
+
+    @Test
     fun `each context that works gives a picture`() {
         for (kind in listOf(ContextKind.OSMESA, ContextKind.EGL)) {
             Offscreen.openOrSkip(kind).close()

@@ -4,14 +4,14 @@ import cga.build.projectRoot
 import cga.exercise.game.RunningGame
 import cga.framework.image.ImageData
 import cga.testing.CgaProcess.Companion.cga
+import cga.testing.OnXvfb
 import cga.testing.Xvfb
-import org.junit.jupiter.api.AfterAll
 import org.junit.jupiter.api.Assertions.assertArrayEquals
 import org.junit.jupiter.api.Assertions.assertEquals
 import org.junit.jupiter.api.Assertions.assertFalse
 import org.junit.jupiter.api.Assertions.assertTrue
-import org.junit.jupiter.api.BeforeAll
 import org.junit.jupiter.api.Test
+import org.junit.jupiter.api.extension.ExtendWith
 import org.junit.jupiter.api.io.TempDir
 import java.nio.file.Files
 import java.nio.file.Path
@@ -22,12 +22,13 @@ import kotlin.io.path.writeText
 import kotlin.math.abs
 
 /** The inspector in the real window: another process on a virtual display, keys and mouse from outside, and what the screen shows. */
-class InspectedWindowTest {
+@ExtendWith(OnXvfb::class)
+class InspectedWindowTest(private val display: Xvfb) {
     @TempDir
     private lateinit var directory: Path
 
     @Test
-    fun `input that F9 saved replays off screen to the pictures that F12 saved, and always to the same bytes`() {
+    fun `what F9 saved replays off screen to the pictures that F12 saved, the dragged divider too, and always to the same bytes`() {
         play("--samples 0") { game, run ->
             game.holding("w") { Thread.sleep(300) }
             game.moveMouse(120)
@@ -36,15 +37,23 @@ class InspectedWindowTest {
             game.holding("a") { game.holding("w") { Thread.sleep(200) } }
             game.press("b")
             val second = game.screenshot()
+            for (key in listOf("f", "g", "p")) game.press(key)
+            game.drag(150)
+            val third = game.screenshot()
             game.press("F9")
             val recording = run.resolve("recording-001.txt")
             game.await("the recording") { recording.takeIf { it.exists() } }
+            val lines = recording.readText().lines()
+            val half = 0.5f + 150f / WIDTH
+            assertTrue(lines.any { it.endsWith("turn divider $half") }) { "the divider was not dragged to $half: $lines" }
+            // The mouse that moves the divider does not turn the camera.
+            assertTrue(lines.indexOfLast { " mouse " in it } < lines.indexOfFirst { "turn split" in it }) { "$lines" }
             val out = run.resolve("replayed.png")
             val words = "replay $recording --pictures --samples 0 --size ${WIDTH}x$HEIGHT --out $out".split(' ').toTypedArray()
             val process = cga(*words, directory = run)
             assertEquals(0, process.exitCode, "$process")
             assertEquals(0, cga(*words.dropLast(1).toTypedArray(), "${run.resolve("again.png")}", directory = run).exitCode)
-            for ((i, picture) in listOf(first, second).withIndex()) {
+            for ((i, picture) in listOf(first, second, third).withIndex()) {
                 val file = run.resolve("replayed-000${i + 1}.png")
                 assertSimilar(picture, ImageData.read("$file"))
                 val again = run.resolve("again-000${i + 1}.png")
@@ -172,18 +181,5 @@ class InspectedWindowTest {
         /** The middle of a grid line at the steps without colour. */
         const val GRID = 0xFFFFFF
         const val ERROR_PIXELS = 100
-        lateinit var display: Xvfb
-
-        @BeforeAll
-        @JvmStatic
-        fun openDisplay() {
-            display = Xvfb.openOrSkip()
-        }
-
-        @AfterAll
-        @JvmStatic
-        fun closeDisplay() {
-            if (::display.isInitialized) display.close()
-        }
     }
 }

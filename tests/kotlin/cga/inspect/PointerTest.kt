@@ -39,6 +39,18 @@ class PointerTest {
     }
 
     @Test
+    fun `with the panel closed the left button, held down, moves the divider and turns nothing`() {
+        pointer.move(100.0, false)
+        assertFalse(pointer.press(GLFW_MOUSE_BUTTON_LEFT, true))
+        pointer.move(130.0, false)
+        assertTrue(pointer.isDividing)
+        assertEquals(listOf(30.0, 0.0), listOf(pointer.movement, pointer.orbitX))
+        pointer.release(GLFW_MOUSE_BUTTON_LEFT)
+        pointer.move(137.0, false)
+        assertEquals(7.0, pointer.orbitX)
+    }
+
+    @Test
     fun `a left click picks a pixel, but on the divider it drags that`() {
         assertTrue(pointer.press(GLFW_MOUSE_BUTTON_LEFT, false))
         assertFalse(pointer.isDividing)

@@ -5,6 +5,7 @@ import java.lang.ProcessBuilder.Redirect.DISCARD
 import java.nio.ByteBuffer
 import java.nio.ByteOrder
 import java.nio.file.Files
+import java.util.Arrays
 import java.util.concurrent.TimeUnit.SECONDS
 import kotlin.io.path.ExperimentalPathApi
 import kotlin.io.path.Path
@@ -12,8 +13,8 @@ import kotlin.io.path.createTempDirectory
 import kotlin.io.path.deleteRecursively
 import kotlin.io.path.isExecutable
 
-/** An X display of its own that nobody sees: xdotool is its hands, its framebuffer its eyes. No window manager runs on it. */
-class Xvfb private constructor(size: String) : AutoCloseable {
+/** An X display of its own that nobody sees: xdotool is its hands, its framebuffer its eyes. [Openbox] manages its windows, or nobody. */
+class Xvfb private constructor(private val size: String) : AutoCloseable {
     private val folder = createTempDirectory("cga-xvfb")
 
     // On a display number that it chooses, and says once clients may come; the screen is mapped to a file in the folder.
@@ -41,7 +42,7 @@ class Xvfb private constructor(size: String) : AutoCloseable {
         return answer.trim()
     }
 
-    /** The [width] × [height] pixels in the screen's upper left corner, where windows appear. */
+    /** The [width] × [height] pixels in the screen's upper left corner, where windows appear as long as nobody manages them. */
     fun screen(
         width: Int,
         height: Int,
@@ -61,6 +62,23 @@ class Xvfb private constructor(size: String) : AutoCloseable {
         return ImageData(width, height, rgba.array())
     }
 
+    /** Whether [picture] is to be seen anywhere on the screen, to the last bit. */
+    fun shows(picture: ImageData): Boolean {
+        val (width, height) = size.split('x').map(String::toInt)
+        val screen = screen(width, height)
+        return (0..height - picture.height).any { top -> (0..width - picture.width).any { left -> screen.has(picture, left, top) } }
+    }
+
+    // From below: what is far up is black in most pictures.
+    private fun ImageData.has(
+        part: ImageData,
+        left: Int,
+        top: Int,
+    ) = (part.height - 1 downTo 0).all { y ->
+        val (own, its) = 4 * ((top + y) * width + left) to 4 * y * part.width
+        Arrays.equals(rgba, own, own + 4 * part.width, part.rgba, its, its + 4 * part.width)
+    }
+
     @OptIn(ExperimentalPathApi::class)
     override fun close() {
         server.destroy()
@@ -76,6 +94,8 @@ class Xvfb private constructor(size: String) : AutoCloseable {
             return Xvfb(size)
         }
 
-        private fun isInstalled(program: String) = System.getenv("PATH").split(':').any { Path(it, program).isExecutable() }
+        /** Whether [program] can be called by its name. */
+        internal fun isInstalled(program: String): Boolean =
+            System.getenv("PATH").split(':').any { Path(it, program).isExecutable() }
     }
 }

@@ -46,9 +46,12 @@ internal class OpenGLCanvas(
             throw e
         }
 
-    override fun draw(scene: Scene) {
+    override fun draw(scene: Scene): Unit = draw(scene::render)
+
+    /** Draws by whatever [paint] draws with. */
+    fun draw(paint: () -> Unit) {
         target.bind()
-        scene.render()
+        paint()
     }
 
     override fun read(): ImageData = target.read()

@@ -3,6 +3,7 @@ package cga.cli
 import cga.framework.AtomicFile
 import cga.framework.ColorFormat
 import cga.framework.image.ApngFile
+import cga.framework.image.ImageData
 import cga.framework.image.PngFile
 import cga.inspect.record.Recording
 import cga.inspect.record.Replay
@@ -40,39 +41,32 @@ internal class ReplayCommand : CliktCommand("replay") {
         requireUsage(samples >= 0) { "--samples $samples: must not be negative" }
         AtomicFile.checkWritable(out)
         val recording = Recording.read(recording)
-        val updates = if (pictures) {
-            recording.pictures
-        } else {
-            List((recording.updates * fps / Replay.RATE).toInt() + 1) {
-                (
-                    it * Replay.RATE /
-                        fps
-                ).toInt()
-            }
-        }
+        val updates = if (pictures) recording.pictures else everyPicture(recording.updates)
         requireUsage(updates.size in 1..MAX_FRAMES) {
             "${updates.size} pictures: from 1 to $MAX_FRAMES; choose another --fps, or press F12 while recording"
         }
-        OpenGLCanvas(context, size, samples, ColorFormat.RGBA8).use { play(Replay(recording, size.width, size.height), it, updates) }
+        val replay = Replay(recording, size.width, size.height)
+        OpenGLCanvas(context, size, samples, ColorFormat.RGBA8).use { canvas -> replay.use { play(it, canvas, updates) } }
     }
+
+    /** The updates after which the animation has its pictures. */
+    private fun everyPicture(updates: Int) = List((updates * fps / Replay.RATE).toInt() + 1) { (it * Replay.RATE / fps).toInt() }
 
     private fun play(
         replay: Replay,
-        canvas: Canvas,
+        canvas: OpenGLCanvas,
         updates: List<Int>,
     ) {
-        fun picture(number: Int) =
-            run {
-                if (pictures) replay.advanceToPicture() else replay.advanceTo(updates[number])
-                canvas.draw(replay.scene)
-                canvas.read()
-            }
+        fun picture(number: Int): ImageData {
+            if (pictures) replay.advanceToPicture() else replay.advanceTo(updates[number])
+            canvas.draw(replay::draw)
+            return canvas.read()
+        }
         if (out.toString().endsWith(ApngFile.SUFFIX)) {
             ApngFile.write(out, updates.size, fps, ::picture)
         } else {
             for (number in updates.indices) PngFile.write(picture(number), numbered(out, number, updates.size))
         }
-        replay.scene.cleanup()
     }
 
     private companion object {

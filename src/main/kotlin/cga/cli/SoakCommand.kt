@@ -3,6 +3,7 @@ package cga.cli
 import cga.framework.Display
 import cga.framework.InputError
 import cga.inspect.soak.Flatness
+import cga.inspect.soak.Held
 import cga.inspect.soak.WindowSoak
 import cga.measure.accuracy.hard.HardCases
 import com.github.ajalt.clikt.core.CliktCommand
@@ -19,7 +20,8 @@ import com.github.ajalt.clikt.parameters.types.restrictTo
 internal class SoakCommand : CliktCommand("soak") {
     override fun help(context: Context): String =
         "Shade random points, many at the limits of the domain, and look for NaN, Inf and errors that rounding does not explain. " +
-            "With --window: use the window for minutes, and look whether its memory and its OpenGL objects grow. Exit code 1: one was found."
+            "With --window: use the window for minutes, and look whether its memory and its OpenGL objects grow. " +
+            "Exit code 1: one was found."
 
     private val evaluations by option("--evaluations", metavar = "N", help = "Points to shade. Default: 1000000")
         .int()
@@ -38,27 +40,26 @@ internal class SoakCommand : CliktCommand("soak") {
 
     private fun soakWindow(minutes: Double) {
         if (!Display.isPresent) {
-            throw InputError(
-                "there is no display to open a window on: start it in a desktop session, or under xvfb-run.",
-            )
+            throw InputError("there is no display to open a window on: start it in a desktop session, or under xvfb-run.")
         }
         val seconds = minutes * SECONDS
-        val soak =
-            WindowSoak(WIDTH, HEIGHT, seconds, seconds / LOOKS) {
-                echo(
-                    "%6.0f s  %7d pictures  %6.0f MiB resident  %5d OpenGL objects".format(
-                        it.seconds,
-                        it.pictures,
-                        it.mebibytes,
-                        it.glObjects,
-                    ),
-                )
-            }
+        val soak = WindowSoak(WIDTH, HEIGHT, seconds, seconds / LOOKS) { echo(line(it)) }
         soak.run()
+        Flatness.slopes(soak.looks).forEach(::echo)
         val growth = Flatness.growth(soak.looks)
-        echo(growth ?: "flat: nothing grew over the second half")
-        if (growth != null) throw ProgramResult(FOUND)
+        growth.forEach(::echo)
+        if (growth.isNotEmpty()) throw ProgramResult(FOUND)
+        echo("flat: nothing grew")
     }
+
+    private fun line(held: Held) =
+        "%6.0f s  %7d pictures  %6.0f MiB resident  %6.1f MiB live heap  %5d OpenGL objects".format(
+            held.seconds,
+            held.pictures,
+            held.resident,
+            held.live,
+            held.glObjects,
+        )
 
     private fun soakShading() {
         val result = HardCases.search(evaluations, seed, context)
@@ -71,7 +72,7 @@ internal class SoakCommand : CliktCommand("soak") {
     private companion object {
         const val FOUND = 1
         const val SECONDS = 60
-        const val LOOKS = 20
+        const val LOOKS = 40
         const val WIDTH = 960
         const val HEIGHT = 540
     }

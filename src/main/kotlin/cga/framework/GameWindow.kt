@@ -35,9 +35,7 @@ public abstract class GameWindow(
     private var window = NULL
     private var updates = 0L
     private val mouse = MousePosition(0.0, 0.0)
-    private var mouseOriginX = 0.0
-    private var mouseOriginY = 0.0
-    private var cursorEntered = false
+    private var cursor: WindowCursor? = null
 
     final override var framebufferWidth: Int = width
         private set
@@ -109,7 +107,7 @@ public abstract class GameWindow(
 
     /** Shows the cursor, or hides it and lets it move without end. */
     public fun setCursorVisible(visible: Boolean) {
-        glfwSetInputMode(window, GLFW_CURSOR, if (visible) GLFW_CURSOR_NORMAL else GLFW_CURSOR_DISABLED)
+        cursor?.isVisible = visible
     }
 
     /** Puts [text] where other programs paste from. */
@@ -181,8 +179,7 @@ public abstract class GameWindow(
 
     private fun listen() {
         glfwSetKeyCallback(window) { _, key, scancode, action, mode -> onKey(key, scancode, action, mode) }
-        glfwSetCursorEnterCallback(window) { _, inside -> cursorEntered = inside }
-        glfwSetCursorPosCallback(window) { _, xpos, ypos -> moveMouse(xpos, ypos) }
+        cursor = WindowCursor(window, INJECTED_RATIO, mouse) { onMouseMove(mouse.xpos, mouse.ypos) }
         glfwSetFramebufferSizeCallback(window) { _, w, h -> resize(w, h) }
         glfwSetMouseButtonCallback(window) { _, button, action, mode -> onMouseButton(button, action, mode) }
         glfwSetScrollCallback(window) { _, x, y -> onScroll(x, y) }
@@ -191,27 +188,6 @@ public abstract class GameWindow(
         val h = IntArray(1)
         glfwGetFramebufferSize(window, w, h)
         resize(w[0], h[0])
-    }
-
-    // When a window gets its focus back, GLFW puts the hidden cursor into its middle and tells so: that is no movement.
-    private fun moveMouse(
-        xpos: Double,
-        ypos: Double,
-    ) {
-        val isHidden = glfwGetInputMode(window, GLFW_CURSOR) == GLFW_CURSOR_DISABLED
-        if (cursorEntered && isHidden) {
-            mouseOriginX = mouse.xpos - xpos / INJECTED_RATIO
-            mouseOriginY = mouse.ypos - ypos / INJECTED_RATIO
-        }
-        // A cursor that is seen is where it is seen.
-        if (!isHidden) {
-            mouseOriginX = 0.0
-            mouseOriginY = 0.0
-        }
-        cursorEntered = false
-        mouse.xpos = mouseOriginX + xpos / INJECTED_RATIO
-        mouse.ypos = mouseOriginY + ypos / INJECTED_RATIO
-        onMouseMove(mouse.xpos, mouse.ypos)
     }
 
     // A minimised window has the size 0: keep the last one, nothing is shown anyway.
@@ -234,6 +210,7 @@ public abstract class GameWindow(
             // What nobody sees is not drawn, and a driver need not wait for a monitor then: sleep a little instead.
             if (glfwGetWindowAttrib(window, GLFW_ICONIFIED) == GLFW_TRUE) glfwWaitEventsTimeout(MINIMISED_PAUSE) else glfwPollEvents()
             val now = glfwGetTime()
+            cursor?.hold(now)
             val elapsed = now - last
             last = now
             // After a pause (a dragged window, a debugger) the game goes on, it does not catch up.
@@ -253,6 +230,7 @@ public abstract class GameWindow(
     private fun close() {
         glfwFreeCallbacks(window)
         Glfw.stop(window)
+        cursor = null
         window = NULL
     }
 

@@ -7,6 +7,7 @@ import cga.inspect.tune.TunedLight
 import cga.inspect.tune.Tuning
 import cga.inspect.ui.Columns
 import cga.inspect.ui.Ui
+import cga.inspect.ui.UiColor
 import cga.inspect.ui.Widgets
 import cga.inspect.view.Look
 import cga.inspect.view.View
@@ -21,7 +22,7 @@ internal class ControlPanel(
     private val scene: Scene,
     private val look: Look,
     private val tuning: Tuning,
-    private val switches: Switches,
+    private val clock: Clock,
     private val copy: (String) -> Unit,
 ) {
     private val views = View.entries.map { it.title }
@@ -46,19 +47,19 @@ internal class ControlPanel(
 
     private fun Widgets.look() {
         row(NAMED)
-        label("show", Widgets.FAINT)
+        label("show", UiColor.FAINT)
         look.view = View.entries[choice(views, look.view.ordinal)]
-        paragraph(look.view.legend, WIDTH, Widgets.FAINT)
+        paragraph(look.view.legend, WIDTH, UiColor.FAINT)
         row(1)
         look.isSplit = checkbox("Phong | Blinn-Phong, side by side", look.isSplit)
         row(2)
-        switches.hasGizmos = checkbox("light gizmos", switches.hasGizmos)
-        switches.isPaused = checkbox("pause time", switches.isPaused)
+        look.hasGizmos = checkbox("light gizmos", look.hasGizmos)
+        clock.isPaused = checkbox("pause time", clock.isPaused)
     }
 
     private fun Widgets.lights() {
         fold("Lights", true) {
-            if (tuning.lights.isEmpty()) paragraph("None shines at this step.", WIDTH, Widgets.FAINT)
+            if (tuning.lights.isEmpty()) paragraph("None shines at this step.", WIDTH, UiColor.FAINT)
             for ((i, light) in tuning.lights.withIndex()) {
                 row(LIGHT)
                 swatch(color(light.light.lightColor))
@@ -83,12 +84,12 @@ internal class ControlPanel(
 
     private fun Widgets.knobs(group: KnobGroup) {
         row(1)
-        label(group.title, Widgets.FAINT)
+        label(group.title, UiColor.FAINT)
         for (knob in group.knobs) {
             row(KNOB)
             label(knob.name)
             val value = slider(knob.value, knob.min, knob.max)
-            if (value != knob.value) knob.value = value
+            if (value != knob.value) tuning.turn(knob, value)
         }
     }
 
@@ -112,8 +113,7 @@ internal class ControlPanel(
     }
 }
 
-/** What the panel and the keys switch besides the view. */
-internal class Switches {
-    var hasGizmos: Boolean = false
+/** Whether the scene's time goes on. */
+internal class Clock {
     var isPaused: Boolean = false
 }

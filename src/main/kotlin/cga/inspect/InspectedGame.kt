@@ -4,13 +4,10 @@ import cga.exercise.game.Game
 import cga.exercise.game.Step
 import cga.framework.Home
 import cga.framework.InputError
-import cga.framework.SpecularModel
 import cga.inspect.doctor.EvidenceReader
-import cga.inspect.gizmo.Gizmos
 import cga.inspect.probe.Probe
 import cga.inspect.record.Recorder
 import cga.inspect.tune.Tuning
-import cga.inspect.ui.Ui
 import cga.inspect.view.InspectedProgram
 import cga.inspect.view.Look
 import cga.inspect.view.Traffic
@@ -35,24 +32,20 @@ public open class InspectedGame private constructor(
     public constructor(width: Int, height: Int, fullscreen: Boolean, msaasamples: Int, step: Step) :
         this(width, height, fullscreen, msaasamples, step, Look(), Traffic())
 
-    private val tuning = Tuning(scene)
-    private val switches = Switches()
+    private val recorder = Recorder(step, look)
+    private val tuning = Tuning(scene, recorder::turn, recorder::reset)
+    private val inspected = InspectedScene(scene, look, tuning)
+    private val clock = Clock()
     private val notices = Notices()
-    private val panel = ControlPanel(scene, look, tuning, switches, ::copy)
-    private val probePanel = ProbePanel()
     private val pointer = Pointer()
     private val dark = DarkWatch(this, look, EvidenceReader(scene, look, traffic))
-    private lateinit var ui: Ui
-    private lateinit var gizmos: Gizmos
+    private lateinit var overlay: Overlay
     private lateinit var shaders: ShaderWatch
-    private var isOpen = false
     private var isPicking = false
     private var orbitX = Double.NaN
-    private val recorder = Recorder(step)
 
     override fun start() {
-        ui = Ui(pixelRatio)
-        gizmos = Gizmos(scene)
+        overlay = Overlay(this, look, notices, ControlPanel(scene, look, tuning, clock, ::copy))
         shaders = ShaderWatch(Home.resolve("shaders"))
         // Last, since it names the step in the title: the sign that the window is ready.
         super.start()
@@ -63,7 +56,7 @@ public open class InspectedGame private constructor(
         t: Float,
     ) {
         turn()
-        if (switches.isPaused) return
+        if (clock.isPaused) return
         recorder.update(this)
         scene.update(updateStep, recorder.updates * updateStep)
     }
@@ -79,26 +72,12 @@ public open class InspectedGame private constructor(
     override fun draw() {
         if (shaders.hasChanged()) reloadShaders()
         try {
-            drawScene()
+            inspected.draw(framebufferWidth, framebufferHeight)
         } catch (e: InputError) {
             report(e)
         }
         if (isPicking) pick()
-        if (switches.hasGizmos && notices.error == null) gizmos.draw()
-    }
-
-    private fun drawScene() {
-        if (!look.isSplit) return scene.render()
-        val divider = (look.divider * framebufferWidth).toInt()
-        glEnable(GL_SCISSOR_TEST)
-        glScissor(0, 0, divider, framebufferHeight)
-        look.specularModel = SpecularModel.PHONG
-        scene.render()
-        glScissor(divider, 0, framebufferWidth - divider, framebufferHeight)
-        look.specularModel = SpecularModel.BLINN_PHONG
-        scene.render()
-        look.specularModel = null
-        glDisable(GL_SCISSOR_TEST)
+        if (notices.error == null) inspected.drawGizmos()
     }
 
     override fun render(
@@ -107,28 +86,8 @@ public open class InspectedGame private constructor(
     ) {
         super.render(dt, t)
         if (notices.error == null) dark.look(currentTime)?.let { notices.findings = it }
-        if (!isOpen && !look.isSplit && !notices.isAny(currentTime)) return
-        val width = framebufferWidth / pixelRatio
-        val height = framebufferHeight / pixelRatio
-        ui.begin()
-        if (look.isSplit) drawDivider(width, height)
-        notices.draw(ui, width, height, if (isOpen) ControlPanel.TAKES else 0f, currentTime)
-        if (isOpen) {
-            probePanel.draw(ui, width, height, pixelRatio)
-            panel.draw(ui, width, height)
-        }
         glViewport(0, 0, framebufferWidth, framebufferHeight)
-        ui.end(width.toInt(), height.toInt())
-    }
-
-    private fun drawDivider(
-        width: Float,
-        height: Float,
-    ) = ui.canvas(width, height) {
-        val x = look.divider * width
-        line(x, 0f, x, height, DIVIDER)
-        words("Phong", x - 62f, 8f, DIVIDER)
-        words("Blinn-Phong", x + 12f, 8f, DIVIDER)
+        overlay.draw(currentTime)
     }
 
     /** The pixel under the cursor, with the picture still as it was drawn. */
@@ -136,10 +95,9 @@ public open class InspectedGame private constructor(
         isPicking = false
         val column = (mousePos.xpos * pixelRatio).toInt().coerceIn(0, framebufferWidth - 1)
         val row = (mousePos.ypos * pixelRatio).toInt().coerceIn(0, framebufferHeight - 1)
-        val side = if (column < (look.divider * framebufferWidth).toInt()) SpecularModel.PHONG else SpecularModel.BLINN_PHONG
-        look.specularModel = if (look.isSplit) side else scene.specularModel
-        val model = look.specularModel ?: scene.specularModel
-        probePanel.show(Probe(scene).look(column, row, framebufferWidth, framebufferHeight, look, model))
+        val model = inspected.modelAt(column, framebufferWidth)
+        look.specularModel = model
+        overlay.probe.show(Probe(scene).look(column, row, framebufferWidth, framebufferHeight, look, model))
         look.specularModel = null
         glViewport(0, 0, framebufferWidth, framebufferHeight)
     }
@@ -150,14 +108,13 @@ public open class InspectedGame private constructor(
         action: Int,
         mode: Int,
     ) {
-        if (isOpen) ui.input.key(key, action)
-        if (isOpen && ui.isTypingIn(ControlPanel.TITLE)) return
+        overlay.input?.key(key, action)
+        if (overlay.isTyping) return
         val step = scene.step
         if (action == GLFW_PRESS && (key in GLFW_KEY_1..GLFW_KEY_8 || key == GLFW_KEY_B)) recorder.press(key)
         super.onKey(key, scancode, action, mode)
         if (scene.step != step) {
-            tuning.stepChanged()
-            look.light = 0
+            inspected.stepChanged()
             dark.changed()
         }
         if (action == GLFW_PRESS) press(key, mode and GLFW_MOD_SHIFT != 0)
@@ -168,32 +125,42 @@ public open class InspectedGame private constructor(
         isShifted: Boolean,
     ) {
         when (key) {
-            GLFW_KEY_TAB -> openPanel(!isOpen)
-            GLFW_KEY_V -> look.view = View.entries[Math.floorMod(look.view.ordinal + (if (isShifted) -1 else 1), View.entries.size)]
-            GLFW_KEY_F -> look.isSplit = !look.isSplit
-            GLFW_KEY_G -> switches.hasGizmos = !switches.hasGizmos
-            GLFW_KEY_P -> switches.isPaused = !switches.isPaused
+            GLFW_KEY_TAB -> openPanel(!overlay.isOpen)
+            GLFW_KEY_V -> nextView(if (isShifted) -1 else 1)
+            GLFW_KEY_F -> split(!look.isSplit)
+            GLFW_KEY_G -> look.hasGizmos = !look.hasGizmos
+            GLFW_KEY_P -> clock.isPaused = !clock.isPaused
             GLFW_KEY_F9 -> saveRecording()
             GLFW_KEY_C -> copy(tuning.toKotlin())
-            else -> return
         }
-        if (key == GLFW_KEY_V) notices.say("${look.view.title}: ${look.view.legend}", currentTime)
+    }
+
+    private fun nextView(by: Int) {
+        look.view = View.entries[Math.floorMod(look.view.ordinal + by, View.entries.size)]
+        notices.say("${look.view.title}: ${look.view.legend}", currentTime)
+    }
+
+    private fun split(isSplit: Boolean) {
+        look.isSplit = isSplit
+        if (isSplit) notices.say("hold the left mouse button to move the divider", currentTime)
     }
 
     private fun openPanel(open: Boolean) {
-        isOpen = open
+        overlay.isOpen = open
         setCursorVisible(open)
         pointer.pause()
-        if (!open) probePanel.show(null)
     }
 
     override fun onMouseMove(
         xpos: Double,
         ypos: Double,
     ) {
-        pointer.move(xpos, isOpen)
-        if (isOpen) ui.input.move(xpos, ypos)
-        if (pointer.isDividing) look.divider = (xpos * pixelRatio / framebufferWidth).toFloat()
+        pointer.move(xpos, overlay.isOpen)
+        overlay.input?.move(xpos, ypos)
+        if (!pointer.isDividing) return
+        // A cursor that is seen has the divider under it; one that is not moves it along.
+        val share = pixelRatio / framebufferWidth
+        look.divider = if (overlay.isOpen) (xpos * share).toFloat() else look.divider + (pointer.movement * share).toFloat()
     }
 
     override fun onMouseButton(
@@ -201,23 +168,26 @@ public open class InspectedGame private constructor(
         action: Int,
         mode: Int,
     ) {
-        if (!isOpen) return
-        ui.input.button(button, action)
+        overlay.input?.button(button, action)
         if (action == GLFW_RELEASE) return pointer.release(button)
-        if (ui.isOver(mousePos.xpos.toFloat(), mousePos.ypos.toFloat())) return
-        val isOnDivider = look.isSplit && abs(mousePos.xpos * pixelRatio - look.divider * framebufferWidth) < GRIP * pixelRatio
-        if (pointer.press(button, isOnDivider)) isPicking = true
+        if (overlay.isMouseOver) return
+        if (pointer.press(button, takesDivider()) && overlay.isOpen) isPicking = true
+    }
+
+    private fun takesDivider(): Boolean {
+        val distance = abs(mousePos.xpos * pixelRatio - look.divider * framebufferWidth)
+        return look.isSplit && (!overlay.isOpen || distance < GRIP * pixelRatio)
     }
 
     override fun onScroll(
         x: Double,
         y: Double,
     ) {
-        if (isOpen) ui.input.scroll(x, y)
+        overlay.input?.scroll(x, y)
     }
 
     override fun onCharacter(codePoint: Int) {
-        if (isOpen) ui.input.character(codePoint)
+        overlay.input?.character(codePoint)
     }
 
     override fun reloadShaders() {
@@ -264,8 +234,8 @@ public open class InspectedGame private constructor(
     override fun shutdown() {
         shaders.close()
         dark.close()
-        gizmos.close()
-        ui.close()
+        inspected.close()
+        overlay.close()
         super.shutdown()
     }
 
@@ -273,8 +243,8 @@ public open class InspectedGame private constructor(
         /** The keys, for people. */
         public const val HELP: String =
             "${Game.HELP} · Tab panel and cursor (click a pixel for its numbers, right button orbits) · V what is shown · " +
-                "F Phong beside Blinn-Phong · G light gizmos · P pause time · C copy values as Kotlin · F9 save all input since the start"
-        private const val DIVIDER = 0xFFFFFFD0
+                "F Phong beside Blinn-Phong (hold the left button to move the divider) · G light gizmos · P pause time · " +
+                "C copy values as Kotlin · F9 save all input since the start"
         private const val GRIP = 8.0
     }
 }

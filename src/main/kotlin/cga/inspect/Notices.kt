@@ -2,7 +2,7 @@ package cga.inspect
 
 import cga.inspect.doctor.Finding
 import cga.inspect.ui.Ui
-import cga.inspect.ui.Widgets
+import cga.inspect.ui.UiColor
 
 /** What the window has to say by itself: an error in a shader, why the picture is dark, that something was done. */
 internal class Notices {
@@ -41,7 +41,7 @@ internal class Notices {
         } else if (findings.isNotEmpty()) {
             drawFindings(ui, room, height)
         }
-        if (time < noteEnd) ui.canvas(width, height) { words(note, MARGIN + PADDING, height - MARGIN - NOTE_HEIGHT, Widgets.GOOD) }
+        if (time < noteEnd) ui.canvas("note", width, height) { words(note, MARGIN + PADDING, height - MARGIN - NOTE_HEIGHT, UiColor.GOOD) }
     }
 
     private fun drawError(
@@ -53,8 +53,8 @@ internal class Notices {
         val lines = error.lines().take(MAX_LINES)
         val tall = (lines + AGAIN).sum { ui.widgets.height(it, room) + GAP } + TITLE
         ui.panel("The shader does not compile; the old one stays in use", MARGIN, MARGIN, room, minOf(tall, height - 2 * MARGIN)) {
-            for (line in lines) paragraph(line, room, if (line.startsWith(SOURCE)) Widgets.WARNING else Widgets.ERROR)
-            paragraph(AGAIN, room, Widgets.FAINT)
+            for (line in lines) paragraph(line, room, if (line.startsWith(SOURCE)) UiColor.WARNING else UiColor.ERROR)
+            paragraph(AGAIN, room, UiColor.FAINT)
         }
     }
 
@@ -67,10 +67,10 @@ internal class Notices {
         val tall = shown.sum { ui.widgets.height("1. ${it.found}", room) + ui.widgets.height(it.cure, room) + 2 * GAP } + TITLE + MORE
         ui.panel("Dark? Likely causes, the likeliest first", MARGIN, MARGIN, room, minOf(tall, height - 2 * MARGIN)) {
             for ((i, finding) in shown.withIndex()) {
-                paragraph("${i + 1}. ${finding.found}", room, Widgets.WARNING)
+                paragraph("${i + 1}. ${finding.found}", room, UiColor.WARNING)
                 paragraph(finding.cure, room)
             }
-            if (findings.size > shown.size) paragraph("and ${findings.size - shown.size} more: ./cga doctor --scene", room, Widgets.FAINT)
+            if (findings.size > shown.size) paragraph("and ${findings.size - shown.size} more: ./cga doctor --scene", room, UiColor.FAINT)
         }
     }
 

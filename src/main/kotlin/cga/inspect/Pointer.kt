@@ -3,8 +3,8 @@ package cga.inspect
 import org.lwjgl.glfw.GLFW.*
 
 /**
- * What the mouse means. With the cursor hidden every movement turns the camera; with the panel open the right button does, held down, and
- * the left one drags the divider or picks a pixel.
+ * What the mouse means. With the cursor hidden every movement turns the camera, or, with the left button held down, moves the divider.
+ * With the panel open the right button turns, held down, and the left one drags the divider or picks a pixel.
  */
 internal class Pointer {
     private var lastX = Double.NaN
@@ -18,12 +18,17 @@ internal class Pointer {
     var orbitX: Double = 0.0
         private set
 
+    /** How far the last [move] went. */
+    var movement: Double = 0.0
+        private set
+
     /** The mouse is at [x]. The first position after [pause] only says where it starts. */
     fun move(
         x: Double,
         isOpen: Boolean,
     ) {
-        if (!lastX.isNaN() && (!isOpen || isTurning)) orbitX += x - lastX
+        movement = if (lastX.isNaN()) 0.0 else x - lastX
+        if (isTurning || !(isOpen || isDividing)) orbitX += movement
         lastX = x
     }
 
@@ -34,7 +39,7 @@ internal class Pointer {
         isDividing = false
     }
 
-    /** A button over the scene went down, the left one [isOnDivider] or not; answers whether it picks the pixel there. */
+    /** A button over the scene went down, where the left one takes the divider ([isOnDivider]) or not; answers whether it picks a pixel. */
     fun press(
         button: Int,
         isOnDivider: Boolean,

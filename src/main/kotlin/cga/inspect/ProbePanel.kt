@@ -3,7 +3,9 @@ package cga.inspect
 import cga.inspect.probe.ProbeText
 import cga.inspect.probe.Probed
 import cga.inspect.ui.Columns
+import cga.inspect.ui.Pencil
 import cga.inspect.ui.Ui
+import cga.inspect.ui.UiColor
 import cga.inspect.ui.Widgets
 
 /** The panel on the left with the numbers of the pixel that was clicked. */
@@ -26,19 +28,19 @@ internal class ProbePanel {
     ) {
         val probed = probed ?: return
         val text = text ?: return
-        ui.canvas(width, height) { cross((probed.column + 0.5f) / ratio, (probed.row + 0.5f) / ratio) }
+        ui.canvas("cross", width, height) { cross((probed.column + 0.5f) / ratio, (probed.row + 0.5f) / ratio) }
         val tall = minOf(HEIGHT, height - 2 * MARGIN)
         ui.panel(TITLE, MARGIN, height - tall - MARGIN, WIDTH, tall) {
             row(1)
-            label(text.where, Widgets.FAINT)
-            line("reference (double)", text.expected, Widgets.GOOD)
-            line("GPU (RGBA32F)", text.drawn, Widgets.GOOD)
-            line("difference, at most", text.difference, if (probed.difference < NOTABLE) Widgets.GOOD else Widgets.WARNING)
-            line("window (0–255)", text.shown, Widgets.TEXT)
-            fold("Surface", false) { for (line in text.surface) line(line.name, line.value, Widgets.TEXT) }
+            label(text.where, UiColor.FAINT)
+            line("reference (double)", text.expected, UiColor.GOOD)
+            line("GPU (RGBA32F)", text.drawn, UiColor.GOOD)
+            line("difference, at most", text.difference, if (probed.difference < NOTABLE) UiColor.GOOD else UiColor.WARNING)
+            line("window (0–255)", text.shown, UiColor.TEXT)
+            fold("Surface", false) { for (line in text.surface) line(line.name, line.value, UiColor.TEXT) }
             for ((i, light) in text.lights.withIndex()) {
                 fold("probed ${light.first}", i == probed.look.light) {
-                    for (line in light.second) line(line.name, line.value, Widgets.TEXT)
+                    for (line in light.second) line(line.name, line.value, UiColor.TEXT)
                 }
             }
         }
@@ -50,11 +52,11 @@ internal class ProbePanel {
         color: Long,
     ) {
         row(PAIR)
-        label(name, Widgets.FAINT)
+        label(name, UiColor.FAINT)
         label(value, color, isRight = true)
     }
 
-    private fun Widgets.cross(
+    private fun Pencil.cross(
         x: Float,
         y: Float,
     ) {
@@ -75,7 +77,7 @@ internal class ProbePanel {
         val PAIR = Columns(0.4f, 0.6f)
         const val LONG = 12f
         const val SHORT = 4f
-        val SEAMS = listOf(Widgets.DARK to 5f, Widgets.WARNING to 2.5f)
+        val SEAMS = listOf(UiColor.DARK to 5f, UiColor.WARNING to 2.5f)
 
         /** Steps of 255: more is no rounding. */
         const val NOTABLE = 1.0

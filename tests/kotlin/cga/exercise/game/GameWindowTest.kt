@@ -3,14 +3,14 @@ package cga.exercise.game
 import cga.build.projectRoot
 import cga.framework.image.ImageData
 import cga.testing.CgaProcess.Companion.cga
+import cga.testing.OnXvfb
 import cga.testing.Xvfb
-import org.junit.jupiter.api.AfterAll
 import org.junit.jupiter.api.Assertions.assertArrayEquals
 import org.junit.jupiter.api.Assertions.assertEquals
 import org.junit.jupiter.api.Assertions.assertFalse
 import org.junit.jupiter.api.Assertions.assertTrue
-import org.junit.jupiter.api.BeforeAll
 import org.junit.jupiter.api.Test
+import org.junit.jupiter.api.extension.ExtendWith
 import org.junit.jupiter.api.io.TempDir
 import java.nio.file.Files
 import java.nio.file.Path
@@ -19,7 +19,8 @@ import kotlin.io.path.writeText
 import kotlin.math.abs
 
 /** The real window: another process on a virtual display, its keys pressed and its mouse moved from outside, its pictures compared. */
-class GameWindowTest {
+@ExtendWith(OnXvfb::class)
+class GameWindowTest(private val display: Xvfb) {
     @TempDir
     private lateinit var directory: Path
 
@@ -253,19 +254,5 @@ class GameWindowTest {
         // Measured at most 0.0031; one pixel of mouse makes 0.20, Phong instead of Blinn-Phong 0.027.
         const val SIMILAR = 0.01
         val FINAL_COLOR = Regex("fragColor = [^;]*;")
-
-        lateinit var display: Xvfb
-
-        @BeforeAll
-        @JvmStatic
-        fun openDisplay() {
-            display = Xvfb.openOrSkip()
-        }
-
-        @AfterAll
-        @JvmStatic
-        fun closeDisplay() {
-            if (::display.isInitialized) display.close()
-        }
     }
 }

@@ -56,8 +56,27 @@ class RunningGame(
         display.xdotool("mousemove_relative -- $dx 0")
     }
 
+    /** As [moveMouse], with the left button held down. */
+    fun drag(dx: Int) {
+        display.xdotool("mousedown 1")
+        moveMouse(dx)
+        display.xdotool("mouseup 1")
+    }
+
     fun resize(size: Pair<Int, Int>) {
         display.xdotool("windowsize $window ${size.first} ${size.second}")
+    }
+
+    /** Lets the window manager minimise the window. */
+    fun minimise() {
+        display.xdotool("windowminimize $window")
+        await("the window gone") { true.takeIf { window !in display.xdotool("search --onlyvisible --name ^CGA.Lights") } }
+    }
+
+    /** Lets the window manager show the window in front of all others, and give it the keyboard. */
+    fun activate() {
+        display.xdotool("windowactivate $window")
+        await("the window in front") { true.takeIf { display.xdotool("getactivewindow") == window } }
     }
 
     /** Takes the keyboard away, moves the mouse out of the window, and gives the keyboard back. */

@@ -4,6 +4,7 @@ import cga.exercise.game.Scene
 import cga.exercise.game.Step
 import cga.framework.Frame
 import cga.framework.InputError
+import cga.inspect.view.Look
 import cga.testing.HeldKeys
 import org.junit.jupiter.api.Assertions.assertEquals
 import org.junit.jupiter.api.Assertions.assertTrue
@@ -22,7 +23,7 @@ class RecordingTest {
     ) {
         val window = HeldKeys()
         val scene = Scene(window, Step.COLOR)
-        val recorder = Recorder(Step.COLOR)
+        val recorder = Recorder(Step.COLOR, Look())
         val random = Random(7)
         val frames = ArrayList<List<Any>>()
         repeat(400) { update ->
@@ -62,7 +63,7 @@ class RecordingTest {
         val events =
             listOf(
                 0 to Event.Mouse(0.0), 0 to Event.Hold("WA"), 3 to Event.Mouse(-1.5E-5), 3 to Event.Hold(""), 9 to Event.Press(52),
-                9 to Event.Picture,
+                9 to Event.Turn("scene.L_a.red", 0.1f), 9 to Event.Turn("cornerLight1.x", -1.0E-4f), 9 to Event.Reset, 9 to Event.Picture,
             )
         val text = Recording(Step.BLINN_PHONG, events, 12).toText()
         val read = Recording.parse(text, "x")
@@ -72,12 +73,12 @@ class RecordingTest {
 
     @Test
     fun `what is no recording is refused with its line`() {
-        val start = "cga recording 1, step 4.7"
+        val start = "cga recording 2, step 4.7"
         val wrong =
             mapOf(
                 "" to "does not begin",
                 "hello" to "does not begin",
-                "cga recording 1, step 9.9\n0 end" to "does not begin",
+                "cga recording 2, step 9.9\n0 end" to "does not begin",
                 start to "no line",
                 "$start\n0 hold X\n1 end" to "line 2",
                 "$start\n5 hold W\n4 hold A\n6 end" to "line 3",
@@ -85,10 +86,23 @@ class RecordingTest {
                 "$start\n99999999 end" to "line 2",
                 "$start\n1 end\n2 hold W" to "line 3",
                 "$start\n1 press 52\n" to "no line",
+                "$start\n1 turn scene.gamma NaN\n2 end" to "line 2",
+                "cga recording 1, step 4.7\n0 end" to "format 1",
+                "cga recording 3, step 4.7\n0 end" to "format 3",
             )
         for ((text, part) in wrong) {
             val message = assertThrows<InputError>(text) { Recording.parse(text, "a.txt") }.message.orEmpty()
             assertTrue("a.txt" in message && part in message) { "$text: $message" }
+        }
+    }
+
+    @Test
+    fun `what the scene cannot be turned to is refused`() {
+        val wrong = listOf("scene.colour" to 1f, "scene.gamma" to 99f, "view" to 99f, "view" to 1.5f, "divider" to 2f, "off" to -1f)
+        for ((name, value) in wrong) {
+            val recording = Recording(Step.FINAL, listOf(0 to Event.Turn(name, value)), 1)
+            val message = assertThrows<InputError>("$name $value") { Replay(recording, 16, 9) }.message.orEmpty()
+            assertTrue("$name to $value" in message, message)
         }
     }
 

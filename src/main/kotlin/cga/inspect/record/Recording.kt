@@ -7,26 +7,11 @@ import cga.framework.InputError
 import java.nio.file.Path
 import kotlin.io.path.writeText
 
-/** Something that happened to the scene after so many of its updates. */
-public sealed interface Event {
-    /** From the next update on exactly the [keys] (letters of W, A, S, D) are held down. */
-    public data class Hold(val keys: String) : Event
-
-    /** The mouse is at [x]. */
-    public data class Mouse(val x: Double) : Event
-
-    /** The key with this GLFW number was pressed. */
-    public data class Press(val key: Int) : Event
-
-    /** A screenshot was taken. */
-    public data object Picture : Event
-}
-
 /**
- * All input of a run: played again it makes the same pictures, since nothing else decides them.
+ * All input of a run, by keys, mouse and panel: played again it makes the same pictures, since nothing else decides them.
  *
- * As a file it is text: a line says after which update what happened, as in `12 hold WA`, `40 mouse 123.5`, `51 press 52`, `90 picture`; the last one
- * is `300 end`.
+ * As a file it is text: a line says after which update what happened, as in `12 hold WA`, `40 mouse 123.5`, `51 press 52`,
+ * `60 turn view 4.0`, `70 turn spotLight.inner 12.5`, `80 reset`, `90 picture`; the last one is `300 end`.
  *
  * @param step that the scene started with.
  * @param events each with the number of updates before it, in order.
@@ -55,18 +40,25 @@ public class Recording(
             is Event.Hold -> "hold ${event.keys.ifEmpty { NOTHING }}"
             is Event.Mouse -> "mouse ${event.x}"
             is Event.Press -> "press ${event.key}"
+            is Event.Turn -> "turn ${event.name} ${event.value}"
+            Event.Reset -> "reset"
             Event.Picture -> "picture"
         }
 
     public companion object {
-        private const val FIRST_LINE = "cga recording 1, step"
+        private const val FORMAT = "cga recording"
+        private const val FIRST_LINE = "$FORMAT 2, step"
         private const val NOTHING = "-"
 
         /** Ten hours; and more events than anybody makes in them. */
         private const val MAX_UPDATES = 120 * 3600 * 10
         private const val MAX_BYTES = 64_000_000
+        private const val NUMBER = """(-?\d{1,12}(?:\.\d+)?(?:E-?\d{1,2})?)"""
         private val LINE =
-            Regex("""(\d{1,8}) (?:hold (-|[WASD]{1,4})|mouse (-?\d{1,12}(?:\.\d+)?(?:E-?\d{1,2})?)|press (\d{1,3})|(picture)|(end))""")
+            Regex(
+                """(\d{1,8}) (?:hold (-|[WASD]{1,4})|mouse $NUMBER|press (\d{1,3})|""" +
+                    """turn ([A-Za-z0-9_.]{1,40}) $NUMBER|(reset)|(picture)|(end))""",
+            )
 
         /** Reads the recording in [file]. Throws [InputError] naming the file, and the line that is not understood. */
         public fun read(file: Path): Recording {
@@ -81,7 +73,7 @@ public class Recording(
         ): Recording {
             val lines = text.trimEnd().lines()
             val step = lines[0].removePrefix("$FIRST_LINE ").takeIf { it != lines[0] }?.let(Step::of)
-            if (step == null) throw InputError("recording $name does not begin with \"$FIRST_LINE …\": F9 in the window makes recordings.")
+            if (step == null) throw notBegun(name, lines[0])
             val events = ArrayList<Pair<Int, Event>>()
             var last = 0
             for ((i, line) in lines.withIndex().drop(1)) {
@@ -98,16 +90,34 @@ public class Recording(
             throw InputError("recording $name has no line \"… end\": it is not whole, record it again.")
         }
 
-        private const val END = 6
+        private const val END = 9
 
         private fun event(words: List<String>): Event {
-            val (hold, mouse, press) = words.drop(2)
+            val (hold, mouse, press, name, value) = words.drop(2)
             return when {
                 hold.isNotEmpty() -> Event.Hold(hold.removePrefix(NOTHING))
                 mouse.isNotEmpty() -> Event.Mouse(mouse.toDouble())
                 press.isNotEmpty() -> Event.Press(press.toInt())
+                name.isNotEmpty() -> Event.Turn(name, value.toFloat())
+                words[RESET].isNotEmpty() -> Event.Reset
                 else -> Event.Picture
             }
+        }
+
+        private const val RESET = 7
+
+        private fun notBegun(
+            name: String,
+            line: String,
+        ): InputError {
+            val other = Regex("$FORMAT (\\d+), .*").matchEntire(line)?.groupValues?.get(1)
+            return InputError(
+                if (other != null && !line.startsWith(FIRST_LINE)) {
+                    "recording $name has format $other, and this program plays format 2 only: record it again."
+                } else {
+                    "recording $name does not begin with \"$FIRST_LINE …\": F9 in the window makes recordings."
+                },
+            )
         }
 
         private fun notUnderstood(

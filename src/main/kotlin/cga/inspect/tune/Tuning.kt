@@ -14,8 +14,17 @@ internal class TunedLight(
     val groups: List<KnobGroup>,
 )
 
-/** Every number of the [scene] that the panel turns: it changes the scene itself, so whatever asks the scene sees it. */
-internal class Tuning(private val scene: Scene) {
+/**
+ * Every number of the [scene] that the panel turns: it changes the scene itself, so whatever asks the scene sees it.
+ *
+ * @param turned is told each knob that is turned, by its name among all of them, and its value.
+ * @param wasReset is told that all were reset.
+ */
+internal class Tuning(
+    private val scene: Scene,
+    private val turned: (String, Float) -> Unit = { _, _ -> },
+    private val wasReset: () -> Unit = {},
+) {
     private val all = named(everyLight()).map { (name, light) -> TunedLight(name, light, knobsOf(light).groups()) }
 
     /** The lights that shine at the scene's step, the point lights first. */
@@ -29,8 +38,26 @@ internal class Tuning(private val scene: Scene) {
     val materials: KnobGroup =
         KnobGroup("exponent k", listOf(exponent("ground", scene.ground), exponent("motorcycle", scene.motorcycle)))
 
+    /** The knobs by names that are one word each: `spotLight.inner`, `scene.gamma`. */
+    val knobs: Map<String, Knob> =
+        buildMap {
+            for (light in all) for (knob in light.groups.flatMap { it.knobs }) put("${light.name}.${knob.name}", knob)
+            for (knob in picture.knobs) put("scene.${knob.name.replace(' ', '.')}", knob)
+            for (knob in materials.knobs) put("${knob.name}.k", knob)
+        }
+    private val names = knobs.entries.associate { (name, knob) -> knob to name }
+
     init {
         stepChanged()
+    }
+
+    /** Turns [knob] to [value]. */
+    fun turn(
+        knob: Knob,
+        value: Float,
+    ) {
+        knob.value = value
+        turned(names.getValue(knob), value)
     }
 
     /** A step has its own attenuations, which are what [reset] goes back to from now on. */
@@ -42,9 +69,10 @@ internal class Tuning(private val scene: Scene) {
 
     /** Everything as it was at the start. */
     fun reset() {
-        for (knob in (all.flatMap { it.groups } + picture + materials).flatMap { it.knobs }) knob.reset()
+        knobs.values.forEach(Knob::reset)
         // The motorcycle's colour goes with the time again.
         scene.motorcycleColor = null
+        wasReset()
     }
 
     /** The values as Kotlin code, for the scene's own files. */

@@ -36,6 +36,9 @@ internal class Ui(private val pixelRatio: Float) : AutoCloseable {
     /** What a panel is filled with. */
     val widgets: Widgets = Widgets(context, font)
 
+    /** What a canvas is drawn on with. */
+    val pencil: Pencil = Pencil(context, font)
+
     init {
         check(nk_init(context, allocator, font.handle)) { "Nuklear does not start" }
         nk_buffer_init(commands, allocator, 1 shl 14)
@@ -116,17 +119,18 @@ internal class Ui(private val pixelRatio: Float) : AutoCloseable {
         nk_end(context)
     }
 
-    /** Draws lines without a panel, over the whole window of [width]×[height]. */
+    /** Draws lines and words without a panel, over the whole window of [width]×[height]; of one [name] there is one in a picture. */
     inline fun canvas(
+        name: String,
         width: Float,
         height: Float,
-        draw: Widgets.() -> Unit,
+        draw: Pencil.() -> Unit,
     ) {
         MemoryStack.stackPush().use { stack ->
             val clear = NkColor.calloc(stack)
             nk_style_push_color(context, context.style().window().fixed_background().data().color(), clear)
             val flags = NK_WINDOW_BACKGROUND or NK_WINDOW_NO_INPUT or NK_WINDOW_NO_SCROLLBAR
-            if (nk_begin(context, "canvas", nk_rect(0f, 0f, width, height, NkRect.malloc(stack)), flags)) widgets.draw()
+            if (nk_begin(context, name, nk_rect(0f, 0f, width, height, NkRect.malloc(stack)), flags)) pencil.draw()
             nk_end(context)
             nk_style_pop_color(context)
         }

@@ -38,7 +38,7 @@ internal class Widgets(
 
     fun label(
         text: String,
-        color: Long = TEXT,
+        color: Long = UiColor.TEXT,
         isRight: Boolean = false,
     ) {
         MemoryStack.stackPush().use { stack ->
@@ -51,7 +51,7 @@ internal class Widgets(
     fun paragraph(
         text: String,
         width: Float,
-        color: Long = TEXT,
+        color: Long = UiColor.TEXT,
     ) {
         row(1, height(text, width))
         MemoryStack.stackPush().use { stack -> nk_label_colored_wrap(context, text, UiStyle.set(NkColor.malloc(stack), color)) }
@@ -139,39 +139,6 @@ internal class Widgets(
         }
     }
 
-    /** A line on a [Ui.canvas]. */
-    fun line(
-        x0: Float,
-        y0: Float,
-        x1: Float,
-        y1: Float,
-        color: Long,
-        thickness: Float = THIN,
-    ) {
-        MemoryStack.stackPush().use { stack ->
-            val canvas = nk_window_get_canvas(context) ?: return
-            nk_stroke_line(canvas, x0, y0, x1, y1, thickness, UiStyle.set(NkColor.malloc(stack), color))
-        }
-    }
-
-    /** Words on a [Ui.canvas], with their upper left corner at ([x], [y]). */
-    fun words(
-        text: String,
-        x: Float,
-        y: Float,
-        color: Long,
-    ) {
-        MemoryStack.stackPush().use { stack ->
-            val canvas = nk_window_get_canvas(context) ?: return
-            val width = font.width(text)
-            val background = UiStyle.set(NkColor.malloc(stack), BACKGROUND)
-            val box = nk_rect(x - PADDING, y - PADDING, width + 2 * PADDING, UiFont.SIZE + 2 * PADDING, NkRect.malloc(stack))
-            nk_fill_rect(canvas, box, PADDING, background)
-            val bounds = nk_rect(x, y, width, UiFont.SIZE, NkRect.malloc(stack))
-            nk_draw_text(canvas, bounds, text, font.handle, background, UiStyle.set(NkColor.malloc(stack), color))
-        }
-    }
-
     companion object {
         const val LINE: Float = 22f
 
@@ -179,15 +146,6 @@ internal class Widgets(
         const val TEXT_LINE: Float = 21f
         private const val EDGES = 36f
         private const val FILLED = 0.94f
-        const val TEXT: Long = 0xE6E8ECFF
-        const val FAINT: Long = 0x98A2B3FF
-        const val WARNING: Long = 0xFFC857FF
-        const val ERROR: Long = 0xFF6B6BFF
-        const val DARK: Long = 0x000000C0
-        const val GOOD: Long = 0x5BE495FF
-        private const val BACKGROUND: Long = 0x10141CC0
-        private const val PADDING = 4f
-        private const val THIN = 1.5f
         private const val SLIDER_STEPS = 1000
         private const val MAX_LIST = 420f
     }

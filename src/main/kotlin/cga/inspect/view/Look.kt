@@ -2,7 +2,7 @@ package cga.inspect.view
 
 import cga.framework.SpecularModel
 
-/** How the scene is looked at: what the panel switches and the programs obey. Changes nothing of the scene itself. */
+/** How the scene is looked at: what the panel and the keys switch and the programs obey. Changes nothing of the scene itself. */
 internal class Look {
     var view: View = View.FULL
 
@@ -18,27 +18,31 @@ internal class Look {
             field = value.coerceIn(0f, 1f)
         }
 
+    /** Whether the lights are marked. */
+    var hasGizmos: Boolean = false
+
     /** The specular model in place of the scene's, or null. */
     var specularModel: SpecularModel? = null
 
-    private val off = BooleanArray(MAX_LIGHTS)
+    /** A bit for each light that does not shine. */
+    var off: Int = 0
 
     /** Whether light number [light] shines. */
-    fun isOn(light: Int): Boolean = !off[light]
+    fun isOn(light: Int): Boolean = off and (1 shl light) == 0
 
-    val areAllOn: Boolean get() = off.none { it }
+    val areAllOn: Boolean get() = off == 0
 
     fun switch(
         light: Int,
         isOn: Boolean,
     ) {
-        off[light] = !isOn
+        off = if (isOn) off and (1 shl light).inv() else off or (1 shl light)
     }
 
     /** All lights but [light] go off; again, and all go on. */
     fun solo(light: Int) {
-        val isSolo = off.indices.all { off[it] == (it != light) }
-        for (i in off.indices) off[i] = !isSolo && i != light
+        val others = ALL and (1 shl light).inv()
+        off = if (off == others) 0 else others
         this.light = light
     }
 
@@ -47,11 +51,13 @@ internal class Look {
         view = View.FULL
         isSplit = false
         divider = 0.5f
-        off.fill(false)
+        hasGizmos = false
+        off = 0
     }
 
     companion object {
         /** As many as the shaders have room for. */
         const val MAX_LIGHTS: Int = 10
+        private const val ALL = (1 shl MAX_LIGHTS) - 1
     }
 }

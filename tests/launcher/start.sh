@@ -22,6 +22,7 @@ check 'it is told where the checkout is' argument "-Dcga.home=$checkout"
 check 'its class path is the jars' argument "$checkout/build/cga/lib/*"
 check 'what it cooks lies with the build' argument "-Dcga.cooked=$checkout/build/cga/cooked"
 check 'a short command starts quickly' argument -XX:TieredStopAtLevel=1
+check 'and its heap may grow' not argument -XX:+AlwaysPreTouch
 check 'with the archive of classes' argument "-XX:SharedArchiveFile=$checkout/build/cga/java-17.0.1.jsa"
 check 'OpenGL is 3.3' grep -q -x MESA_GL_VERSION_OVERRIDE=3.3 "$sandbox/environment"
 check 'and GLSL 330' grep -q -x MESA_GLSL_VERSION_OVERRIDE=330 "$sandbox/environment"
@@ -57,3 +58,8 @@ ln -s "$sandbox/elsewhere/link" "$sandbox/bin/lights"
 launcher=$sandbox/bin/lights
 cga render
 check 'through a chain of links it finds its checkout' argument "-Dcga.home=$checkout"
+
+cga soak --window 1
+check 'a soak of the window has its whole heap from the start' argument -XX:+AlwaysPreTouch
+cga soak --evaluations 1
+check 'one of the shading has it not' not argument -XX:+AlwaysPreTouch

@@ -35,10 +35,11 @@ class VerdictTest {
         absent: Set<Check> = emptySet(),
         unlit: Set<String> = emptySet(),
         isReplaced: Boolean = false,
+        spot: String? = null,
     ): SceneVerdict {
         val wrong = mistakes.associate { it.mistake.check to 1.0 } + absent.associateWith { 1.0 } + errors
         val checks = SceneJudge.CHECKS.map { Measured(it, if (it in wrong) wrong[it] else 0.0, "scene", it !in absent) }
-        return SceneVerdict(checks, mistakes.toList(), emptyList(), unlit, isReplaced)
+        return SceneVerdict(checks, mistakes.toList(), emptyList(), unlit, isReplaced, spot)
     }
 
     private fun Verdict.names() = mistakes.map { it.mistake }
@@ -86,6 +87,9 @@ class VerdictTest {
         val fine = Verdict.of(never, scene())
         assertEquals(emptyList<Mistake>() to 100.0, fine.names() to fine.grade().points)
         assertEquals(listOf(Mistake.CONE_NEVER_SENT), Verdict.of(never, scene(absent = setOf(Check.CONE, Check.SPOT_DIRECTION))).names())
+        assertEquals(emptyList<Mistake>(), Verdict.of(never, scene(spot = "s")).names())
+        // What the scene saw was another headlight's.
+        assertEquals(listOf(Mistake.CONE_NEVER_SENT), Verdict.of(never, scene(spot = "first")).names())
     }
 
     @Test

@@ -89,6 +89,19 @@ class ColorMistakesTest {
     }
 
     @Test
+    fun `a colour written into the shader lets none through that is sent`() {
+        val rig = object : Rig() {
+            override fun motorcycleTint(t: Double) = Vector3d(0.0, 1.0, 0.0)
+
+            override fun ownColor(t: Double) = Vector3d(abs(sin(t)), abs(sin(t / 2)), 0.5)
+
+            override fun objects(t: Double, lights: List<ObservedLight>) =
+                super.objects(t, lights).map { ObservedObject(it.model, it.tint, it.lights, it.vertices, it.buffers, isTintWritten = true) }
+        }
+        rig.verdict().assertMistake(Mistake.EMISSION_COLOR_IGNORED, Check.MOTORCYCLE_COLOR)
+    }
+
+    @Test
     fun `no colours at all`() {
         val rig = object : Rig() {
             override fun motorcycleTint(t: Double): Vector3d? = null

@@ -50,7 +50,7 @@ class LightMistakesTest {
             override fun ownColor(t: Double) = Vector3d()
         }
         val events = listOf(CapturedEvent(EventKind.UNIFORM_ABSENT, 0, "spotLight.angle"))
-        val verdict = rig.verdict(events = events, program = ProgramFacts(setOf("bikeColor"), setOf("spotLight", "angle")))
+        val verdict = rig.verdict(events = events, program = ProgramFacts(setOf("bikeColor"), "spotLight.angle"::equals))
         verdict.assertMistake(Mistake.LIGHT_MISSING, *allOfPoint)
         assertEquals(setOf("bike_lamp", "bikeColor", "spotLight.angle"), verdict.unlit)
     }
@@ -63,6 +63,35 @@ class LightMistakesTest {
         val events = listOf(CapturedEvent(EventKind.UNIFORM_ABSENT, 0, "old_lamp"))
         val facts = ProgramFacts(setOf("bikeColor", "bikePos"))
         rig.verdict(events = events, program = facts).assertMistake(Mistake.LIGHT_MISSING, *allOfPoint)
+    }
+
+    @Test
+    fun `numbers that nobody sends and that make the picture black are explained by the name that they were sent to`() {
+        val facts = ProgramFacts(setOf("corner4Att"), deadly = setOf("corner4Att"))
+        val events = listOf(CapturedEvent(EventKind.UNIFORM_ABSENT, 0, "corner0Att"))
+        val verdict = Rig().verdict(events = events, uniforms = setOf("corner4Att"), program = facts)
+        verdict.assertMistake(Mistake.UNIFORM_ABSENT, Check.POINT_LIGHT)
+        val unsaid = Rig().verdict(program = facts)
+        assertEquals(emptyList<Mistake>(), unsaid.mistakes.map { it.mistake })
+        unsaid.assertCosts(Check.POINT_LIGHT)
+        val dark = object : Rig() {
+            override fun ownColor(t: Double) = Vector3d()
+        }
+        dark.verdict(program = facts).assertMistake(Mistake.LIGHT_MISSING, *allOfPoint)
+    }
+
+    @Test
+    fun `further lights in the changing colour of the motorcycle's are there, and follow it`() {
+        val rig = object : Rig() {
+            override val lamps = listOf(own, head) + corners.map { Lamp(it.name, it.body, it.k, color = ::ownColor) }
+        }
+        val verdict = rig.verdict()
+        verdict.assertMistake(Mistake.LATER_LIGHTS_FIRST_COLOR, Check.MORE_LIGHTS)
+        assertEquals(setOf(Check.MORE_LIGHTS), verdict.mistakes.single().explains)
+        val white = object : Rig() {
+            override val lamps = listOf(own, head) + corners.map { Lamp(it.name, it.body, it.k) { Vector3d(1.0) } }
+        }
+        white.verdict().assertMistake(Mistake.MORE_LIGHTS_MISSING, Check.MORE_LIGHTS)
     }
 
     @Test

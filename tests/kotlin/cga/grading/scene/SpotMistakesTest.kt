@@ -22,6 +22,18 @@ class SpotMistakesTest {
     }
 
     @Test
+    fun `a second light on the motorcycle is the headlight where the shaders could give it a cone`() {
+        fun rig() = object : Rig() {
+            private val bare = Lamp(head.name, head.body, SPOT_K) { HEAD_COLOR }
+            override val lamps = listOf(own, bare) + corners
+        }
+        val verdict = rig().verdict(program = ProgramFacts(canCone = true))
+        verdict.assertMistake(Mistake.CONE_NEVER_SENT, Check.CONE)
+        assertEquals(listOf("headlight" to "headlight"), verdict.mistakes.map { verdict.spot to it.where })
+        assertEquals(listOf(Mistake.SPOT_MISSING), rig().verdict().mistakes.map { it.mistake })
+    }
+
+    @Test
     fun `a headlight that is no child stays behind, and its direction costs nothing more`() {
         val rig = object : Rig() {
             val free = Lamp("lamp", lamp(Vector3f(0f, 0.9f, -1.6f), null), SPOT_K, 0.2, 0.4, true) { HEAD_COLOR }

@@ -93,9 +93,18 @@ class MistakesTest {
                 "(view_matrix * vec4(pointLightPos, 1.0)).xyz - pos.xyz",
                 "pointLightPos - (model_matrix * vec4(position, 1.0)).xyz",
             ),
+            vertex(Mistake.TO_LIGHT_WORLD, "lights through the model matrix", "(view_matrix * vec4(", "(model_matrix * vec4("),
             fragment(Mistake.CLAMP_MISSING, "diffuse clamp missing", "max(dot(n, l), 0.0)" to "dot(n, l)"),
             fragment(Mistake.SPECULAR_CLAMP_MISSING, "specular clamp missing", "max(dot(n, h), 0.0)" to "dot(n, h)"),
             fragment(Mistake.EXPONENT_FIXED, "exponent fixed", "pow(cosBeta, shininess)" to "pow(cosBeta, 32.0)"),
+            Case(
+                "the exponent at the diffuse cosine",
+                setOf(Mistake.EXPONENT_FIXED, Mistake.UNKNOWN),
+                fragment = CourseShaders.FRAGMENT.edited(
+                    "diffuse * cosAlpha + specular * pow(cosBeta, shininess)",
+                    "diffuse * pow(cosAlpha, shininess) + specular * cosBeta",
+                ),
+            ),
             fragment(Mistake.SPECULAR_MISSING, "specular missing", " + specular * pow(cosBeta, shininess)" to ""),
             fragment(Mistake.DIFFUSE_MISSING, "diffuse missing", "diffuse * cosAlpha + " to ""),
             fragment(
@@ -103,6 +112,12 @@ class MistakesTest {
                 "maps swapped",
                 "texture(diff," to "texture(spec,",
                 "specular = texture(spec," to "specular = texture(diff,",
+            ),
+            fragment(
+                Mistake.MAPS_SWAPPED,
+                "emission and diffuse map swapped",
+                "texture(emit," to "texture(diff,",
+                "diffuse = texture(diff," to "diffuse = texture(emit,",
             ),
             values(Mistake.SAMPLER_UNIT, "sampler left at unit 0", "spec" to 0),
             fragment(
@@ -122,6 +137,17 @@ class MistakesTest {
                 "cosine twice",
                 "cos(spotInner)" to "cos(cos(spotInner))",
                 "cos(spotOuter)" to "cos(cos(spotOuter))",
+            ),
+            fragment(
+                Mistake.COSINE_OF_COSINE,
+                "cosines written into the shader as angles",
+                "cos(spotInner)" to "cos(cos(radians(12.0)))",
+                "cos(spotOuter)" to "cos(cos(radians(25.0)))",
+            ),
+            fragment(
+                Mistake.UNKNOWN,
+                "a cone by smoothstep",
+                "clamp((theta - outer) / (inner - outer), 0.0, 1.0)" to "smoothstep(outer, inner, theta)",
             ),
             values(Mistake.DEGREES_FOR_RADIANS, "degrees sent", "spotInner" to 12.5, "spotOuter" to 25.0),
             values(Mistake.DEGREES_FOR_RADIANS, "other degrees sent", "spotInner" to 20.0, "spotOuter" to 30.0),
@@ -178,6 +204,13 @@ class MistakesTest {
                 "color = vec4(result" to "color = vec4((result - emission) * emission",
             ),
             fragment(Mistake.EMISSION_COLOR_IGNORED, "emission colour ignored", " * sceneColour" to ""),
+            fragment(Mistake.EMISSION_COLOR_ADDED, "emission colour added", ".rgb * sceneColour" to ".rgb + sceneColour"),
+            fragment(
+                Mistake.COLOR_ON_EVERYTHING,
+                "the colour on everything",
+                " * sceneColour" to "",
+                "vec4(result, 1.0)" to "vec4(result * sceneColour, 1.0)",
+            ),
             fragment(Mistake.EMISSION_MISSING, "emission missing", "vec3 result = emission" to "vec3 result = vec3(0.0)"),
             fragment(Mistake.LATER_LIGHTS_FIRST_COSINE, "later light with the first one's cosine", "shade(n, lc, v" to "shade(n, lp, v"),
             fragment(
@@ -193,6 +226,7 @@ class MistakesTest {
                 it +
                     ("view_matrix" to org.joml.Matrix4d().scale(1.25).mul(scene.view))
             }),
+            values(Mistake.CONE_NEVER_SENT, "only the direction never sent", "spotLightDirection" to Vector3d()),
             values(Mistake.CONE_NEVER_SENT, "cone never sent", "spotInner" to 0.0, "spotOuter" to 0.0, "spotLightDirection" to Vector3d()),
         )
 

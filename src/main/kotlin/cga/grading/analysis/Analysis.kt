@@ -31,7 +31,7 @@ internal class Analysis(
                 val observed = capture.frames.mapNotNull(study::observe)
                 val profile = if (edition == "2022") SceneProfile.LATER else SceneProfile.SHEET
                 val facts = CaptureFacts(capture)
-                val scene = SceneJudge.judge(observed, capture.events, profile, facts.uniforms, facts.program)
+                val scene = SceneJudge.judge(observed, capture.events, profile, facts.uniforms, facts.program(study))
                 val verdict = Verdict.of(ShadingVerdict(study.checks, study.mistakes), scene)
                 val pictures =
                     folder?.let {

@@ -3,6 +3,7 @@ package cga.grading.analysis
 import cga.grading.capture.Capture
 import cga.grading.capture.CapturedDraw
 import cga.grading.scene.ProgramFacts
+import cga.grading.study.ShaderStudy
 import org.lwjgl.opengl.GL33C.GL_BOOL
 import org.lwjgl.opengl.GL33C.GL_INT
 import org.lwjgl.opengl.GL33C.GL_SAMPLER_2D
@@ -14,21 +15,15 @@ internal class CaptureFacts(private val capture: Capture) {
     /** Names of the active uniforms. */
     val uniforms: Set<String> = draws.flatMap { it.uniforms }.map { it.name }.toSet()
 
-    /** For the scene judge. */
-    val program: ProgramFacts =
+    /** For the scene judge, with what [study] found out. */
+    fun program(study: ShaderStudy): ProgramFacts =
         ProgramFacts(
             unset = unset(),
-            words = capture.programs
-                .flatMap {
-                    listOf(
-                        it.vertexSource,
-                        it.fragmentSource,
-                    )
-                }.flatMap { WORD.findAll(it) }
-                .map { it.value }
-                .toSet(),
+            declares = UniformDeclarations(capture.programs.flatMap { listOf(it.vertexSource, it.fragmentSource) }, uniforms)::declares,
             drawn = capture.frames.filter { frame -> frame.steps.any { it is CapturedDraw } }.map { it.moment }.toSet(),
             isReplaced = draws.isNotEmpty() && draws.all { capture.programs[it.program].substituted },
+            canCone = study.canCone,
+            deadly = study.deadly,
         )
 
     private fun unset(): Set<String> {
@@ -38,8 +33,6 @@ internal class CaptureFacts(private val capture: Capture) {
     }
 
     private companion object {
-        val WORD = Regex("[A-Za-z_]\\w*")
-
         /** Numbers for which 0 is as good as any. */
         val WHOLE = setOf(GL_SAMPLER_2D, GL_INT, GL_BOOL)
     }

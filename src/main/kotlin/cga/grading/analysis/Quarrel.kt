@@ -28,11 +28,17 @@ internal class Quarrel(
         when (found.mistake) {
             // A single frame can mislead; the scene follows the direction over all.
             in DIRECTION -> sceneVerdict[Check.SPOT_DIRECTION]?.error != null
-            // It has seen the numbers arrive.
-            Mistake.CONE_NEVER_SENT -> sceneVerdict[Check.CONE].isRight() && sceneVerdict[Check.SPOT_DIRECTION].isRight()
+            // It has seen the numbers arrive, of the one light that it looked at.
+            Mistake.CONE_NEVER_SENT ->
+                sceneVerdict[Check.CONE].isRight() && sceneVerdict[Check.SPOT_DIRECTION].isRight() && !isOfOthers(found)
             in CONE -> sceneVerdict.mistakes.any(::breaksTie)
             else -> false
         }
+
+    private fun isOfOthers(found: Found): Boolean {
+        val spot = sceneVerdict.spot ?: return false
+        return lights(found).isNotEmpty() && spot !in lights(found)
+    }
 
     private fun studyKnowsBetter(found: Found): Boolean =
         when (found.mistake) {

@@ -57,6 +57,8 @@ public enum class Mistake(
     // 4.4
     EMISSION_MULTIPLIED("emission-multiplied", Check.EMISSION),
     EMISSION_COLOR_IGNORED("emission-colour-ignored", Check.EMISSION),
+    EMISSION_COLOR_ADDED("emission-colour-added", Check.EMISSION),
+    COLOR_ON_EVERYTHING("colour-on-everything", Check.EMISSION),
     EMISSION_MISSING("emission-missing", Check.EMISSION),
     COLOR_CONSTANT("colour-constant", Check.MOTORCYCLE_COLOR),
     LIGHT_COLOR_DIFFERS("light-colour-differs", Check.LIGHT_COLOR),

@@ -70,17 +70,19 @@ private fun TD.what(check: CheckGrade, messages: Messages) {
         +words.title
     }
     val cause = check.cause
+    val said = cleanLine(messages.say(check.text), MOST_SAID)
     val (error, state) = check.error to check.state
     when {
         state == CheckState.EXPLAINED && cause != null -> p("remark") { +messages.text("page.explained-by", messages.of(cause).title) }
-        state == CheckState.MISTAKE && cause != null -> p("remark") { +messages.of(cause).title }
+        // The study says the mistake's title itself, and where it was found.
+        state == CheckState.MISTAKE && cause != null -> messages.of(cause).title.let { if (it !in said) p("remark") { +it } }
         state == CheckState.INEXACT && error != null -> p(
             "remark",
         ) { +"${messages.text("page.error", messages.percent(error))}. ${words.hint}" }
         state == CheckState.NOT_FOUND -> p("remark") { +words.hint }
         else -> Unit
     }
-    if (check.text.isNotBlank()) p("remark") { +cleanLine(messages.say(check.text), MOST_SAID) }
+    if (said.isNotBlank()) p("remark") { +said }
 }
 
 private const val MOST_SAID = 600

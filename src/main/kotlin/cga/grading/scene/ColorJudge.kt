@@ -75,13 +75,23 @@ internal class ColorJudge(
         if (tints.isEmpty()) return book.absent(Check.MOTORCYCLE_COLOR, "No colour is multiplied with the motorcycle's emission.")
         val standing = tints.filter { it.moment in STANDING }
         if (standing.size < 2) return book.measured(Check.MOTORCYCLE_COLOR, null, "There are too few frames.")
-        val byStep = isOfStep(tints)
+        val byStep = spread(tints) > CHANGE && isOfStep(tints)
         if (spread(tints) > CHANGE && !byStep) {
             return book.measured(Check.MOTORCYCLE_COLOR, 0.0, "The motorcycle's colour changes with time: ${list(standing)}.")
         }
         val what = if (byStep) "only depends on the time since the last picture" else "is always ${tints.last().color.text()}"
         book.measured(Check.MOTORCYCLE_COLOR, 1.0, "The motorcycle's colour $what; wanted: one that changes with time.")
-        book.found(Mistake.COLOR_CONSTANT, 0.0, 1.0, "motorcycle")
+        if (isWritten()) {
+            // No colour that the program gives can come through.
+            book.found(Mistake.EMISSION_COLOR_IGNORED, 0.0, 1.0, "motorcycle", explains = setOf(Check.MOTORCYCLE_COLOR))
+        } else {
+            book.found(Mistake.COLOR_CONSTANT, 0.0, 1.0, "motorcycle")
+        }
+    }
+
+    /** Whether the shader that draws the motorcycle has its colour as a constant. */
+    private fun isWritten() = timeline.laterShots.mapNotNull { timeline.cast.motorcycle?.of(it.frame) }.let { all ->
+        all.isNotEmpty() && all.all { it.isTintWritten }
     }
 
     /** Whether pictures that are equally long after the one before have one colour, whatever the time: made of dt instead of t. */

@@ -22,6 +22,7 @@ internal class EventJudge(
     fun judge() {
         book.unlit += program.unset.orEmpty()
         refused()
+        dead()
         beforeUse()
         absent()
         for (text in texts(EventKind.GL_ERROR)) book.note("OpenGL reported $text.")
@@ -40,6 +41,16 @@ internal class EventJudge(
         book.found(Mistake.GLSL_DRIVER, 0.0, 1.0, telling.distinct().joinToString(": ") { it.trim() })
     }
 
+    /** Where one light is divided by 0, nothing is left of the others; a light that is missing says so already. */
+    private fun dead() {
+        if (program.deadly.isEmpty() || book.isReplaced) return
+        val names = program.deadly.sorted().take(MOST_NAMES).joinToString()
+        val text = "Nothing of the picture is a number, because $names is 0 in every frame."
+        if (book.missing.isNotEmpty()) return book.note(text)
+        book.spoilt(Check.POINT_LIGHT, 1.0, text)
+        book.lacks("the numbers of $names", setOf(Check.POINT_LIGHT, Check.MORE_LIGHTS, Check.MORE_LIGHTS_SHADING), emptySet())
+    }
+
     private fun absent() {
         val asked = texts(EventKind.UNIFORM_ABSENT).distinct()
         val names = asked.filter { matters(it) && !isDeclared(it) }
@@ -56,7 +67,7 @@ internal class EventJudge(
     }
 
     /** Whether the compiler may have dropped the uniform because nothing depends on it: then its name is spelt right. */
-    private fun isDeclared(name: String) = NAME.findAll(name).all { it.value in program.words }
+    private fun isDeclared(name: String) = program.declares(name)
 
     /** Whether something that waits for numbers may have been meant by [names]: it is spelt alike, or nothing else is left for it. */
     private fun isMissed(names: List<String>): Boolean {
@@ -103,7 +114,6 @@ internal class EventJudge(
 
         /** Letters at both ends that two names for one thing share at least: `Pos`, `bikeCol`. */
         const val ALIKE = 3
-        val NAME = Regex("[A-Za-z_]\\w*")
         const val MOST_NAMES = 5
         const val LONGEST_NAME = 200
         const val TYPO = 2

@@ -27,7 +27,10 @@ internal object GroundSpace {
         val seen = shown?.let { Matrix4d(frame.view).mul(it.model) }
         val view = if (seen == null || !seen.isUsable() || !frame.view.isUsable()) Matrix4d().zero() else view(frame, seen, flatAxis(shown))
         val toWorld = if (view.isUsable()) Matrix4d(view).invert().mul(frame.view) else Matrix4d()
-        val objects = frame.objects.map { ObservedObject(Matrix4d(toWorld).mul(it.model), it.tint, it.lights, it.vertices, it.buffers) }
+        val objects =
+            frame.objects.map {
+                ObservedObject(Matrix4d(toWorld).mul(it.model), it.tint, it.lights, it.vertices, it.buffers, it.isTintWritten)
+            }
         return ObservedFrame(frame.moment, frame.time, view, frame.projection, objects, frame.lights)
     }
 

@@ -8,7 +8,7 @@ import org.joml.Vector3dc
  * Which light is which.
  *
  * @param own the motorcycle's point light, or the light that was meant to be it.
- * @param spot the headlight.
+ * @param spot the headlight; without a cone where its cone is never sent.
  * @param further all other point lights that shine.
  * @param unlit names of the lights that never do.
  */
@@ -19,16 +19,23 @@ internal class LightRoles(
     val unlit: Set<String> = emptySet(),
 ) {
     companion object {
-        fun of(timeline: Timeline): LightRoles {
+        /** The roles in [timeline]; [canCone] says that the shaders could give a cone to a light that has none. */
+        fun of(
+            timeline: Timeline,
+            canCone: Boolean = false,
+        ): LightRoles {
             val (shining, unlit) = LightTrack.all(timeline.frames).partition { it.shines }
             Placed.all(shining, timeline)
             val spots = shining.filter { it.isSpot }
             val points = shining - spots.toSet()
             val own = own(points, timeline)
+            val others = points - setOfNotNull(own).toSet()
+            // The headlight rides along too.
+            val meant = if (canCone && spots.isEmpty() && timeline.cast.driven) others.find { it.rides() } else null
             return LightRoles(
                 own,
-                spots.find { it.rides() } ?: spots.firstOrNull(),
-                points - setOfNotNull(own).toSet(),
+                spots.find { it.rides() } ?: spots.firstOrNull() ?: meant,
+                others - setOfNotNull(meant).toSet(),
                 unlit.map { it.name }.toSet(),
             )
         }

@@ -19,9 +19,22 @@ internal class MoreLightsJudge(
         val text = "${roles.further.size} further point lights at ${places.size} places, in ${colors.size} colours"
         val full = "$text; wanted: ${WANTED.toInt()} or more of each."
         if (roles.further.isEmpty()) book.absent(Check.MORE_LIGHTS, full) else book.measured(Check.MORE_LIGHTS, error, full)
-        if (error > 0) {
+        if (error > 0 && places.size >= WANTED && roles.further.all(::takesOwnColor)) {
+            val names = roles.further.joinToString { it.name }
+            book.found(Mistake.LATER_LIGHTS_FIRST_COLOR, 0.0, error, names, explains = setOf(Check.MORE_LIGHTS))
+        } else if (error > 0) {
             book.found(Mistake.MORE_LIGHTS_MISSING, 0.0, error, text)
             book.lacks("the further lights", setOf(Check.MORE_LIGHTS, Check.MORE_LIGHTS_SHADING), setOf(Mistake.MORE_LIGHTS_MISSING))
+        }
+    }
+
+    /** Whether [light] follows the colour that the motorcycle's light has, which changes with time. */
+    private fun takesOwnColor(light: LightTrack): Boolean {
+        val own = roles.own?.takeIf { it.changesColor } ?: return false
+        return timeline.laterShots.all { shot ->
+            val a = own.at(shot.moment) ?: return@all true
+            val b = light.at(shot.moment) ?: return@all true
+            hue(a).distance(hue(b)) < DIFFERENT
         }
     }
 
@@ -39,11 +52,9 @@ internal class MoreLightsJudge(
     private fun sameColor(
         a: LightTrack,
         b: LightTrack,
-    ): Boolean {
-        val p = Vector3d(a.last.color).div(max(a.last.color.maxAbs(), LightTrack.DARK))
-        val q = Vector3d(b.last.color).div(max(b.last.color.maxAbs(), LightTrack.DARK))
-        return p.distance(q) < DIFFERENT
-    }
+    ): Boolean = hue(a.last).distance(hue(b.last)) < DIFFERENT
+
+    private fun hue(light: ObservedLight) = Vector3d(light.color).div(max(light.color.maxAbs(), LightTrack.DARK))
 
     private companion object {
         const val WANTED = 2.0

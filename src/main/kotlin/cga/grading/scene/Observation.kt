@@ -23,7 +23,8 @@ public class ObservedFrame(
  * The draws of a frame that share a model matrix and a tint.
  *
  * @param model model space → world space.
- * @param tint factor of the emission that the submission sends, null where none was found.
+ * @param tint factor of the emission that the submission sends, null where none was found; [isTintWritten] where it is a constant of the
+ * shader and nothing sends it.
  * @param lights what the lights were while these draws ran, where they differ from the frame's last state; else the same list.
  * @param vertices positions in model space, x y z each, all draws together.
  * @param buffers numbers of the captured buffers it is made of: the same object in another frame has the same.
@@ -34,6 +35,7 @@ public class ObservedObject(
     public val lights: List<ObservedLight>,
     public val vertices: FloatArray,
     public val buffers: List<Int>,
+    public val isTintWritten: Boolean = false,
 )
 
 /**

@@ -63,7 +63,10 @@ internal class OrbitJudge(
                 else -> "The camera does not turn when the mouse moves, with or without Alt"
             }
         OrbitChecks.ALL.forEach { book.absent(it, "$what.") }
-        book.found(Mistake.ORBIT_MISSING, 0.0, 1.0, what)
+        // Where the mouse does something the orbit has been written, and one thing is wrong with it.
+        val isWritten = reactions.any { it.turn.motorcycleTurned > MOTORCYCLE_TURNED || it.turn.moved > TURNED }
+        val explains = if (isWritten) OrbitChecks.ALL - Check.ORBIT else emptySet()
+        book.found(Mistake.ORBIT_MISSING, 0.0, 1.0, what, explains = explains)
     }
 
     private fun horizon(

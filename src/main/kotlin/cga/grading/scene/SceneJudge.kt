@@ -5,20 +5,25 @@ import cga.grading.capture.EventKind
 import cga.grading.capture.Moment
 import cga.grading.findings.Check
 import cga.grading.findings.Mistake
+import org.joml.Vector3d
 
 /**
  * What is known of a submission's programs beside what they draw.
  *
  * @param unset active uniforms, samplers apart, that are 0 in every draw; null where nobody looked.
- * @param words the identifiers in the sources of the shaders: a name among them is spelt right, even if the compiler dropped it.
+ * @param declares whether the shaders declare a uniform of that name: then it is spelt right, even if the compiler dropped it.
  * @param drawn the moments at which anything was drawn at all.
+ * @param canCone whether the shaders could limit a light to a cone, while none has one.
+ * @param deadly uniforms that nobody sends and that leave no number of the picture: something is divided by them.
  * @param isReplaced whether all that is drawn is drawn by stand-ins for shaders that the driver refused.
  */
 public class ProgramFacts(
     public val unset: Set<String>? = null,
-    public val words: Set<String> = emptySet(),
+    public val declares: (String) -> Boolean = { false },
     public val drawn: Set<Moment> = emptySet(),
     public val isReplaced: Boolean = false,
+    public val canCone: Boolean = false,
+    public val deadly: Set<String> = emptySet(),
 )
 
 /**
@@ -82,8 +87,9 @@ public object SceneJudge {
         if (!timeline.cast.driven && timeline.frame(Moment.DRIVEN) != null) {
             book.note("The motorcycle cannot be driven with W, A, S and D: what it is was guessed.")
         }
-        val roles = LightRoles.of(timeline)
+        val roles = LightRoles.of(timeline, program.canCone)
         book.unlit = roles.unlit
+        book.spot = roles.spot?.name
         LightJudge(timeline, roles, book).judge()
         PositionJudge(timeline, roles, events, book).judge()
         DirectionJudge(timeline, roles, book).judge()
@@ -100,7 +106,8 @@ public object SceneJudge {
         book: Notebook,
     ) {
         val spot = roles.spot ?: return
-        val cone = spot.cone ?: return
+        // A light that is a spotlight only by what it is meant to be.
+        val cone = spot.cone ?: ObservedCone(Vector3d(), Double.NaN, Double.NaN)
         val (measured, found) = ConeValues.judge(cone, spot.name)
         book.measured(Check.CONE, measured.error, measured.text)
         if (found != null) book.found(found.mistake, found.fit, found.difference, found.where, found.alternatives)

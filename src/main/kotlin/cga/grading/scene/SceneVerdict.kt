@@ -13,6 +13,7 @@ import cga.grading.findings.Mistake
  * @param notes what else a grader should know.
  * @param unlit names of the lights that give no light in any frame: whatever is said of their shading is said of nothing. Among them are all
  * uniforms that are 0 for ever, and those that the sources declare and no program has: the compiler drops what nothing is made of.
+ * @param spot name of the light that was taken for the headlight, null where none was.
  * @param isReplaced whether shaders that the driver refused were replaced by stand-ins, so that no shading can be seen.
  */
 public class SceneVerdict(
@@ -21,6 +22,7 @@ public class SceneVerdict(
     public val notes: List<String>,
     public val unlit: Set<String> = emptySet(),
     public val isReplaced: Boolean = false,
+    public val spot: String? = null,
 ) {
     /** The entry for [check], or null. */
     public operator fun get(check: Check): Measured? = checks.find { it.check == check }
@@ -39,6 +41,9 @@ internal class Notebook {
 
     /** Names of the lights that never give light. */
     var unlit: Set<String> = emptySet()
+
+    /** Name of the headlight. */
+    var spot: String? = null
 
     /** Whether stand-ins took the place of shaders. */
     var isReplaced: Boolean = false
@@ -141,7 +146,7 @@ internal class Notebook {
 
     fun verdict(): SceneVerdict {
         val merged = mistakes.groupBy { it.mistake }.values.map(::merged)
-        return SceneVerdict(checks.values.toList(), merged.sortedBy { rank(it.mistake) }, notes.toList(), unlit, isReplaced)
+        return SceneVerdict(checks.values.toList(), merged.sortedBy { rank(it.mistake) }, notes.toList(), unlit, isReplaced, spot)
     }
 
     /** The same mistake on several lights is one. */

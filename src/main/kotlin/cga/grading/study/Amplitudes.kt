@@ -10,6 +10,9 @@ internal enum class Peak {
 
     /** Diffuse light that sides facing away receive as well. */
     TWO_SIDED,
+
+    /** Diffuse light by a power of the cosine. */
+    POWER,
     SPECULAR,
 }
 

@@ -12,6 +12,7 @@ import kotlin.random.Random
  *
  * @param k of a light of colour (1, 1, 1), all as if a factor of the whole were part of it.
  * @param error largest difference from the fit, relative to the strength there.
+ * @param from where the distances are measured from in view space, where that is not the place that the directions come from.
  * @param growing whether the strength is that of a direction of length d: never normalised.
  */
 internal class AttenuationFit(
@@ -20,6 +21,7 @@ internal class AttenuationFit(
     val growing: Boolean,
     val distances: DoubleArray,
     val strengths: DoubleArray,
+    val from: Vector3dc? = null,
 ) {
     val isConstant: Boolean get() = k.y() == 0.0 && k.z() == 0.0
     val isLinear: Boolean get() = k.z() == 0.0 && k.y() > 0
@@ -53,7 +55,7 @@ internal class AttenuationFit(
             val points =
                 List(4 * STEPS) { amplitudes.placement.at(Directions.random(random).mul(exp(random.nextDouble(ln(NEAR), ln(FAR))))) }
             val strengths = amplitudes.at(points)
-            val fits = candidates.map { c -> of(DoubleArray(points.size) { points[it].distance(c) }, strengths, growing = false) }
+            val fits = candidates.map { c -> of(DoubleArray(points.size) { points[it].distance(c) }, strengths, growing = false, c) }
             return fits.minByOrNull { it.error }?.takeIf { it.error < ACCEPTED }
         }
 
@@ -61,13 +63,14 @@ internal class AttenuationFit(
             distances: DoubleArray,
             strengths: DoubleArray,
             growing: Boolean,
+            from: Vector3dc? = null,
         ): AttenuationFit {
             val k = solve(distances, strengths, growing)
             val fit = AttenuationFit(k, 0.0, growing, distances, strengths)
             val error = distances.indices.maxOf { i ->
                 (abs(fit.factor(distances[i]) / strengths[i] - 1)).let { if (it.isNaN()) 1.0 else it }
             }
-            return AttenuationFit(k, error, growing, distances, strengths)
+            return AttenuationFit(k, error, growing, distances, strengths, from)
         }
 
         /** Fits all three; a term that matters nowhere in the range is left out, and the others fitted again. */

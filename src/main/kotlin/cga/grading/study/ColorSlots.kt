@@ -2,6 +2,7 @@ package cga.grading.study
 
 import kotlin.math.abs
 import kotlin.math.max
+import kotlin.math.min
 
 /**
  * The uniforms in which the picture is affine, channel by channel.
@@ -37,13 +38,12 @@ internal class ColorSlots(
             val lit = base.withColors(uneven, 1.0)
             val (alone, mixed) = uneven.partition { actsAlone(box, samples, lit, it, uneven) }
             // Of colours that multiply each other the one that multiplies most of them belongs to the material.
-            val partners = mixed.associateWith { slot ->
-                mixed.filter {
-                    it != slot &&
-                        multiply(box, samples, lit.withColors(uneven, 0.0), slot, it)
-                }
-            }
-            val factors = partners.filter { (slot, others) -> others.any { isMoreOfAFactor(slot, it, partners) } }.keys
+            val dark = lit.withColors(uneven, 0.0)
+            val partners = mixed.associateWith { slot -> mixed.filter { it != slot && multiply(box, samples, dark, slot, it) } }
+            // What shows without any light colours the emission, too.
+            val unlit = box.shade(samples, dark).largest()
+            val glowing = mixed.filter { box.shade(samples, dark.withColors(listOf(it), 1.0)).largest() > unlit }
+            val factors = partners.filter { (slot, others) -> others.any { isMoreOfAFactor(slot, it, partners, glowing) } }.keys
             return ColorSlots(alone + (mixed - factors), flats, factors.toList(), all.filter { it.isSilent }.map { it.slot })
         }
 
@@ -71,6 +71,7 @@ internal class ColorSlots(
             slot: ActiveUniform,
             other: ActiveUniform,
             partners: Map<ActiveUniform, List<ActiveUniform>>,
+            glowing: List<ActiveUniform>,
         ): Boolean {
             val mine = partners.getValue(slot).size
             val theirs = partners.getValue(other).size
@@ -78,6 +79,7 @@ internal class ColorSlots(
             val isWritten = slot.name.startsWith("cga_") && !other.name.startsWith("cga_")
             val otherIsWritten = other.name.startsWith("cga_") && !slot.name.startsWith("cga_")
             if (isWritten || otherIsWritten) return isWritten
+            if (mine == theirs && (slot in glowing) != (other in glowing)) return slot in glowing
             return mine > theirs ||
                 (mine == theirs && MATERIAL_NAME.containsMatchIn(slot.text) && !MATERIAL_NAME.containsMatchIn(other.text))
         }
@@ -144,6 +146,7 @@ internal class ColorSlots(
             }
         }
 
+        /** Whether [a] and [b] are factors of one product: together they add what one of them by itself adds nothing of. */
         private fun multiply(
             box: BlackBox,
             samples: List<Sample>,
@@ -151,9 +154,17 @@ internal class ColorSlots(
             a: ActiveUniform,
             b: ActiveUniform,
         ): Boolean {
-            fun shown(vararg slots: ActiveUniform) = box.shade(samples, dark.withColors(slots.toList(), 1.0)).largest()
-            // Of a product nothing is seen without both; of a sum no more than each adds.
-            return shown(a, b) > 2 * (shown(a) + shown(b))
+            fun shown(vararg slots: ActiveUniform) = box.shade(samples, dark.withColors(slots.toList(), 1.0))
+            val none = shown()
+            val onlyA = shown(a)
+            val onlyB = shown(b)
+            val both = shown(a, b)
+            // What colours the emission too adds that by itself; its share of the product is what both show beyond.
+            return both.indices.any { i ->
+                val product = both[i] - onlyA[i] - onlyB[i] + none[i]
+                val alone = min(abs(onlyA[i] - none[i]), abs(onlyB[i] - none[i]))
+                product > PRODUCT * alone && product > AFFINE * abs(both[i]) + noise(box) * FLOAT * abs(both[i]) + TINY
+            }
         }
 
         /** How much more is rounded where a gamma is undone: two powers, the driver's good to some 1e-5. */
@@ -167,6 +178,9 @@ internal class ColorSlots(
         private const val AFFINE = 2e-4
         private const val FLOAT = 1e-6
         private const val TINY = 1e-12
+
+        /** How much larger a product is than what rounding leaves of a factor alone. */
+        private const val PRODUCT = 100
     }
 }
 

@@ -3,6 +3,9 @@ package cga.grading.study
 import cga.grading.findings.Check
 import cga.grading.findings.Mistake
 import kotlin.math.PI
+import kotlin.math.abs
+import kotlin.math.acos
+import kotlin.math.round
 
 /** What is wrong with a light's cone. */
 internal object ConeDeviations {
@@ -32,6 +35,7 @@ internal object ConeDeviations {
             words == null && areDegrees(cone) && !looksChosen(cone) -> found(Mistake.DEGREES_FOR_RADIANS)
             cone.falloff == Falloff.UNCLAMPED -> found(Mistake.CONE_CLAMP_MISSING)
             cone.falloff == Falloff.UNCLAMPED_ABOVE && !startsAtAxis(light, numbers) -> found(Mistake.CONE_CLAMP_MISSING)
+            words == null && areCosines(cosFull, cosDark) -> found(Mistake.COSINE_OF_COSINE)
             isInverted -> found(Mistake.CONE_INSIDE_OUT)
             cone.falloff in BENT -> listOf(
                 Deviation(Mistake.UNKNOWN, light.name, 1.0, cone.error, check = Check.CONE),
@@ -42,6 +46,20 @@ internal object ConeDeviations {
 
     private fun areDegrees(cone: ConeFit) =
         ConeWords.areDegreesInRadians(cone.inner, cone.outer) || ConeWords.areDegreesInRadians(PI - cone.inner, PI - cone.outer)
+
+    /**
+     * Whether both edges, as angles, are the cosines of whole degrees and no such angles themselves, and the one of full light is the larger:
+     * a narrower angle has the larger cosine. Constants of a shader say no more.
+     */
+    private fun areCosines(
+        cosFull: Double,
+        cosDark: Double,
+    ): Boolean {
+        val angles = listOf(cosFull, cosDark).map { acos(it.coerceIn(-1.0, 1.0)) }
+        return angles[0] > angles[1] && angles.all { it < 1 && isWhole(acos(it)) && !isWhole(it) }
+    }
+
+    private fun isWhole(radians: Double) = Math.toDegrees(radians).let { abs(it - round(it)) < WHOLE }
 
     private fun looksChosen(cone: ConeFit) = ConeWords.isRound(cone.inner) && ConeWords.isRound(cone.outer)
 
@@ -69,6 +87,9 @@ internal object ConeDeviations {
         numbers: Collection<Double>,
     ): Boolean {
         val k = light.attenuation?.k ?: return false
-        return listOf(k.x(), k.y(), k.z()).filter { it > 0 }.all { part -> numbers.any { kotlin.math.abs(it - part) < 1e-4 * part } }
+        return listOf(k.x(), k.y(), k.z()).filter { it > 0 }.all { part -> numbers.any { abs(it - part) < 1e-4 * part } }
     }
+
+    /** Degrees: an edge found to 1e-6 as a cosine is found to some 1e-5 as the angle whose cosine it is; two meet it by chance once in 600. */
+    private const val WHOLE = 0.02
 }

@@ -29,6 +29,7 @@ internal enum class Falloff {
  * @param axis away from the light, in the placement's space, unit length; the cone is lit around it.
  * @param cosInner cosine of the angle up to which it shines fully, [cosOuter] of that from which it is dark.
  * @param error what the formula of the sheet with these edges leaves, relative to full light.
+ * @param residual what is left where the shape of its [falloff] is allowed for.
  * @param thetas angles of the measured profile, [intensities] relative to full light.
  */
 internal class ConeFit(
@@ -39,13 +40,16 @@ internal class ConeFit(
     val error: Double,
     val thetas: DoubleArray,
     val intensities: DoubleArray,
+    val residual: Double = error,
 ) {
     val inner: Double get() = acos(cosInner.coerceIn(-1.0, 1.0))
     val outer: Double get() = acos(cosOuter.coerceIn(-1.0, 1.0))
 
+    private val isLitAtAxis: Boolean get() = intensities[0] > 0.5
+
     /** A direction in which it shines fully: its axis, unless it is dark there. */
     val brightest: Vector3dc
-        get() = if (intensities[0] > 0.5) axis else Directions.around(axis, thetas[intensities.indices.maxBy { intensities[it] }], 0.7)
+        get() = if (isLitAtAxis) axis else Directions.around(axis, thetas[intensities.indices.maxBy { intensities[it] }], 0.7)
 
     /** I where the cosine to the axis is [cosine]. */
     fun intensity(cosine: Double): Double = ((cosine - cosOuter) / (cosInner - cosOuter)).coerceIn(0.0, 1.0)
@@ -66,11 +70,13 @@ internal class ConeFit(
             var best: ConeFit? = null
             for (start in listOfNotNull(centroid(around, coarse), mean(towardsLit)) + hints) {
                 val fit = search.refine(start) ?: continue
-                if (fit.error < GOOD) return fit
-                if (fit.error < (best?.error ?: Double.MAX_VALUE)) best = fit
+                if (fit.residual < GOOD && fit.isLitAtAxis) return fit
+                if (best == null || fit.residual < best.residual) best = fit
             }
             // What is the same on both sides of the axis leads no search to it.
-            return (hints.mapNotNull(search::about) + listOfNotNull(best)).minByOrNull { it.error }
+            val all = hints.mapNotNull(search::about) + listOfNotNull(best)
+            // The same cone may be described from its dark side.
+            return all.filter { it.residual < GOOD && it.isLitAtAxis }.minByOrNull { it.residual } ?: all.minByOrNull { it.residual }
         }
 
         private fun centroid(
@@ -169,6 +175,7 @@ internal class ConeSearch(
                 profile[it] /
                     shape.full
             },
+            max(shape.residual, uneven),
         )
     }
 

@@ -10,6 +10,7 @@ import kotlin.math.sqrt
  * What the strength of a light does with the angle θ to its axis.
  *
  * @param full the strength that counts as 1.
+ * @param error what the formula of the sheet with these edges leaves, relative to [full]; [residual] what a formula of this [falloff] leaves.
  */
 internal class ConeShape(
     val cosInner: Double,
@@ -17,6 +18,7 @@ internal class ConeShape(
     val full: Double,
     val falloff: Falloff,
     val error: Double,
+    val residual: Double = error,
 ) {
     companion object {
         /** Describes [profile] over [thetas] (0 to π); [measure] looks closer where an edge is too sharp for them. */
@@ -91,7 +93,9 @@ internal class ConeShape(
             val smooth = partial.map { unsmooth(((values[it] - low) / (high - low)).coerceIn(0.0, 1.0)) }
             val fit = line(cosines, smooth)
             if (fit != null && partial.indices.all { abs(fit.first * cosines[it] + fit.second - smooth[it]) < SMOOTH }) {
-                return ConeShape((1 - fit.second) / fit.first, -fit.second / fit.first, high, Falloff.SMOOTH, misfit)
+                val shares = partial.map { (values[it] - low) / (high - low) }
+                val error = cosines.indices.maxOf { abs(fit.first * cosines[it] + fit.second - shares[it]) }
+                return ConeShape((1 - fit.second) / fit.first, -fit.second / fit.first, high, Falloff.SMOOTH, error, residual = 0.0)
             }
             return bent(partial.map { angles[it] }, partial.map { values[it] }, low, high, misfit)
                 ?: ConeShape((high - offset) / slope, (dark - offset) / slope, high, Falloff.OTHER, misfit)
@@ -114,7 +118,7 @@ internal class ConeShape(
                 val (slope, offset) = line(x, values) ?: return null
                 if (x.indices.any { abs(slope * x[it] + offset - values[it]) > STRAIGHT * (high - low) }) return null
                 val error = if (falloff == Falloff.COSINE_TWICE) 0.0 else misfit
-                return ConeShape(cosine((high - offset) / slope), cosine((low - offset) / slope), high, falloff, error)
+                return ConeShape(cosine((high - offset) / slope), cosine((low - offset) / slope), high, falloff, error, residual = 0.0)
             }
             return straight(Falloff.IN_ANGLE, { it }, ::cos) ?: straight(Falloff.COSINE_TWICE, { cos(cos(it)) }, ::acos)
         }

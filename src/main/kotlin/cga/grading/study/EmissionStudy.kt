@@ -3,12 +3,23 @@ package cga.grading.study
 import kotlin.math.abs
 
 /** What the shaders do with the emission texture. */
-internal enum class EmissionForm { TINTED, UNTINTED, MULTIPLIED, MISSING }
+internal enum class EmissionForm {
+    TINTED,
+
+    /** The colour is a factor of the lights as well. */
+    ALL_TINTED,
+
+    /** The colour is added to the texture. */
+    ADDED,
+    UNTINTED,
+    MULTIPLIED,
+    MISSING,
+}
 
 /**
  * The emission of a program.
  *
- * @param tint the uniform that colours it, null where none does.
+ * @param tint the uniform that colours it, null where none does; a constant of the shader may be one.
  * @param ambient the colour that lights the diffuse texture everywhere, if it is a uniform.
  */
 internal class EmissionStudy(
@@ -42,7 +53,29 @@ internal class EmissionStudy(
             val shown = shown(sampler, dark)
             if (!(shown > 1e-4)) return EmissionStudy(EmissionForm.MISSING, null, ambient)
             val tint = candidates.firstOrNull { shown(sampler, dark.withColors(listOf(it), 0.0)) < 1e-4 * shown }
-            return EmissionStudy(if (tint == null) EmissionForm.UNTINTED else EmissionForm.TINTED, tint, ambient)
+            val isCommon = tint in colors.factors && tint?.name !in box.program.constants
+            val added = if (tint == null) added(box, point, dark, colors.flats) else null
+            val form =
+                when {
+                    isCommon -> EmissionForm.ALL_TINTED
+                    tint != null -> EmissionForm.TINTED
+                    added != null -> EmissionForm.ADDED
+                    else -> EmissionForm.UNTINTED
+                }
+            return EmissionStudy(form, tint ?: added, ambient)
+        }
+
+        /** The uniform among [flats] that shows where all textures are black. */
+        private fun added(
+            box: BlackBox,
+            point: List<Sample>,
+            dark: Setting,
+            flats: List<ActiveUniform>,
+        ): ActiveUniform? {
+            val all = box.shade(point, dark)[0]
+            return flats
+                .filter { it.name !in box.program.constants }
+                .firstOrNull { abs(all - box.shade(point, dark.withColors(listOf(it), 0.0))[0]) > 1e-4 }
         }
     }
 }

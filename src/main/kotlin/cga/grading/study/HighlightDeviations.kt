@@ -24,9 +24,19 @@ internal object HighlightDeviations {
                 Mistake.PHONG_LEFT.takeIf { fit.lobe == Lobe.PHONG },
                 Mistake.HALF_VECTOR_NOT_NORMALIZED.takeIf { fit.lobe == Lobe.BLINN_LONG || fit.lobe == Lobe.BLINN_RAW },
                 Mistake.SPECULAR_CLAMP_MISSING.takeIf { fit.unclamped },
-                Mistake.EXPONENT_FIXED.takeIf { highlight.exponentSlot == null || fit.exponent < NO_EXPONENT },
+                exponent(highlight, study),
             ) + if (light.otherDirection) emptyList() else limits(light, highlight.limits)
         return mistakes.map { Deviation(it, light.name, fit.error, 1.0, check = if (it == Mistake.UNKNOWN) Check.SPECULAR else it.check) }
+    }
+
+    private fun exponent(
+        highlight: HighlightModel,
+        study: ProgramStudy,
+    ): Mistake? {
+        if (highlight.exponentSlot != null && highlight.fit.exponent >= NO_EXPONENT) return null
+        // With the exponent at the other cosine either that or the vectors of both are exchanged: the textures tell.
+        val isExchanged = study.roles?.let { it.peak == Peak.POWER && MaterialDeviations.isSwapped(it, study.files) } == true
+        return if (isExchanged) Mistake.UNKNOWN else Mistake.EXPONENT_FIXED
     }
 
     /** With the light in one space and the normals in another the eye may be right in either: that is one mistake, and named already. */

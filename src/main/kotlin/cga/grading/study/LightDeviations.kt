@@ -34,7 +34,7 @@ internal object LightDeviations {
                 placement.error,
             )
         }
-        if (RefFinder(light.probe.slot.name, study).turnedOnly(placement.view) != null) add(Mistake.TO_LIGHT_WORLD, placement.error)
+        if (RefFinder(light.probe.slot.name, study).detour(placement.view) != null) add(Mistake.TO_LIGHT_WORLD, placement.error)
         if (placement.isFlipped) add(Mistake.LIGHT_VECTOR_SIGN, light.cosineError)
         if (light.unclamped) add(Mistake.CLAMP_MISSING, light.cosineError)
         if (light.cosineError > TOLERATED) add(Mistake.UNKNOWN, light.cosineError, light.cosineError)

@@ -137,7 +137,9 @@ internal class LightRefs(
             val slot = light.probe.slot
             val roles = study.roles
             val meter = if (roles == null || slot !in study.box.program.deep) null else ColorMeter(study, slot, roles.onlyDiffuse)
-            return listOf(LightRefs(light.name, slot.name, scale, finder.position(placement.view), k, cone, meter))
+            // Where the distances are measured from the light is, whatever the directions say: those are a defect of their own.
+            val place = Vector3d(light.attenuation?.from ?: placement.view)
+            return listOf(LightRefs(light.name, slot.name, scale, finder.position(place), k, cone, meter))
         }
 
         /** All that can be said of a light that is somewhere: nothing of its K. */

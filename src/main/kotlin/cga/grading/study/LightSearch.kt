@@ -3,10 +3,16 @@ package cga.grading.study
 import org.joml.Vector3d
 import org.joml.Vector3dc
 
-/** Looks for points that a light shines on, and from those for the light itself. */
+/**
+ * Looks for points that a light shines on, and from those for the light itself.
+ *
+ * @param surface points on what is drawn, in view space.
+ * @param isWide whether to look also where wrong ways would bring positions ([Detours]).
+ */
 internal class LightSearch(
     private val box: BlackBox,
     private val surface: List<Vector3d>,
+    isWide: Boolean = false,
 ) {
     private val random = kotlin.random.Random(4)
 
@@ -17,7 +23,8 @@ internal class LightSearch(
             .flatMap { slot ->
                 val value = box.values[slot.name] ?: return@flatMap emptyList()
                 val raw = Vector3d(value[0].toDouble(), value[1].toDouble(), value[2].toDouble())
-                if (!raw.isFinite) emptyList() else listOfNotNull(raw, box.spaces.view?.transformPosition(raw, Vector3d()))
+                val detours = if (isWide) Detours.of(box.spaces, raw) else emptyList()
+                if (!raw.isFinite) emptyList() else listOfNotNull(raw, box.spaces.view?.transformPosition(raw, Vector3d())) + detours
             }.plus(origins())
             .distinct()
 

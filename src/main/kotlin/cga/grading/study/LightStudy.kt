@@ -69,7 +69,12 @@ internal class LightStudy(
     ): LightModel? {
         if (roles.peak == Peak.DIFFUSE) return null
         val placement = HintPlacement.of(probe, search.hints, lit, texels, roles.peak) ?: return null
-        val cosine = CosineTest(unclamped = roles.peak == Peak.TWO_SIDED, normalLength = 1.0, error = 0.0, floor = 0.0)
+        val cosine =
+            if (roles.peak == Peak.POWER) {
+                CosineTest.of(probe, placement, lit, texels)
+            } else {
+                CosineTest(unclamped = roles.peak == Peak.TWO_SIDED, normalLength = 1.0, error = 0.0, floor = 0.0)
+            }
         return measured(probe, Amplitudes(probe, placement, texels, unclamped = false, roles.peak), lit, cosine)
     }
 

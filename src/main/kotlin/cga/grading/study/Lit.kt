@@ -11,6 +11,9 @@ internal class Lit(
         private const val TEXTURED = 0.5
         private const val APART = 1e-3
 
+        /** View-space units: two lights are further from each other. */
+        private const val NEAR = 1e-2
+
         private fun channel(
             box: BlackBox,
             slot: ActiveUniform,
@@ -32,7 +35,8 @@ internal class Lit(
             // What shines without any texture is a constant in a branch, and no light to learn from.
             val first = all.firstOrNull() ?: return Lit(probes, null)
             val seen = if (first.roles.untextured < TEXTURED) first else all.firstOrNull { it.roles.untextured < TEXTURED } ?: first
-            return shared(seen, white, box, colors, probes) ?: Lit(probes, seen.roles)
+            shared(seen, white, box, colors, probes)?.let { return it }
+            return Lit(probes, if (isExchanged(seen, search)) seen.roles.exchanged() else seen.roles)
         }
 
         /** The same without the highlights, where these have no texture of their own. */
@@ -48,6 +52,27 @@ internal class Lit(
             val roles = TextureRoles.of(LightProbe(box, seen.probe.slot, colors, matte = matte), seen.points, colors.flats + colors.factors)
             if (roles.diffuse == null || roles.specular != null) return null
             return Lit(probes.map { LightProbe(box, it.slot, colors, matte = matte) }, roles.shared())
+        }
+
+        /**
+         * Whether what looks like the diffuse term, a cosine without an exponent, is that with the half vector: its directions meet nowhere,
+         * and the term with the exponent is brightest where the normal points to the light.
+         */
+        private fun isExchanged(
+            seen: Seen,
+            search: LightSearch,
+        ): Boolean {
+            val roles = seen.roles
+            if (roles.diffuse == null || roles.specular == null || roles.peak != Peak.DIFFUSE) return false
+            val placed = search.place(seen.probe, seen.points, roles.onlyDiffuse)
+            if (placed != null && placed.error < Placement.ACCEPTED * 5) return false
+
+            fun place(
+                texels: Map<String, Double>,
+                peak: Peak,
+            ) = HintPlacement.of(seen.probe, search.hints, seen.points, texels, peak)?.view
+            val shining = place(roles.onlyDiffuse, Peak.SPECULAR) ?: return false
+            return (place(roles.onlySpecular, Peak.POWER) ?: return false).distance(shining) < NEAR
         }
 
         private class Seen(

@@ -38,13 +38,15 @@ internal class Observations(
         val lights = seen.associateWith { lights(it, view) }
         val objects =
             seen.groupBy { key(it, view) }.map { (_, same) ->
-                val tint = same.first().study.emission.tint?.let { same.first().values[it.name] }
+                val program = same.first().study
+                val tint = program.emission.tint?.let { same.first().values[it.name] }
                 ObservedObject(
                     model = model(same.first(), view),
                     tint = tint?.let { Vector3d(it[0].toDouble(), it[1].toDouble(), it[2].toDouble()) },
                     lights = lights.getValue(same.last()),
                     vertices = same.map(::vertices).let { all -> if (all.size == 1) all[0] else joined(all) },
                     buffers = same.flatMap { it.draw.attributes.map { a -> a.buffer } }.distinct(),
+                    isTintWritten = program.emission.tint?.name in program.box.program.constants,
                 )
             }
         return ObservedFrame(frame.moment, frame.time, view, last.spaces.projection, objects, lights.getValue(last))

@@ -3,10 +3,8 @@ package cga.grading.study
 import cga.framework.InputError
 import cga.grading.capture.Capture
 import cga.grading.capture.CapturedDraw
-import cga.grading.capture.EventKind
 import org.joml.Vector3d
 import org.lwjgl.opengl.GL33C.GL_FLOAT_MAT4
-import org.lwjgl.opengl.GL33C.GL_SAMPLER_2D
 import kotlin.random.Random
 
 /**
@@ -17,6 +15,8 @@ import kotlin.random.Random
  * @param isAwake whether uniforms that were never sent had to be given values for any light to shine.
  * @param hidesLights whether something shines that none of the [colors] is the colour of.
  * @param files names of the files that samplers read from, as far as known, over all draws.
+ * @param unbound samplers that find no texture at their unit in any draw.
+ * @param deadly uniforms that were never sent and leave no number of the picture.
  * @param lights that shine somewhere; [silent] that do not and could.
  */
 internal class ProgramStudy(
@@ -31,10 +31,12 @@ internal class ProgramStudy(
     val silent: List<SilentLight>,
     val normalsMoved: Boolean,
     val isAwake: Boolean,
-    val neverConed: List<LightModel>,
+    val coneless: ConelessLights,
     val hidesLights: Boolean,
     val files: Map<String, Set<String>> = emptyMap(),
+    val unbound: Set<String> = emptySet(),
     private val sent: Map<String, List<FloatArray>> = emptyMap(),
+    val deadly: Set<String> = emptySet(),
 ) {
     /** The lights that are not black in all draws: what those would do nobody sees. */
     val shining: List<LightModel> by lazy { lights.filter(::everShines) }
@@ -60,10 +62,11 @@ internal class ProgramStudy(
         ): ProgramStudy {
             val (box, formula) = box(rig, program, capture, number, draw)
             val surface = surface(box, formula, DrawVertices(capture, draw))
-            val (decoded, plain) = colors(box, surface)
-            val search = LightSearch(decoded, surface)
+            val look = FirstLook.of(box, surface)
+            val decoded = look.box
+            val search = look.search
             val samples = LightSearch(decoded, surface).samples(LightSearch.FEW_DIRECTIONS)
-            val colors = if (program.deep.isEmpty()) plain else HiddenLights.added(decoded, plain, samples)
+            val colors = if (program.deep.isEmpty()) look.colors else HiddenLights.added(decoded, look.colors, samples)
             val usual = Lit.of(decoded, colors, search)
             // What a shader adds to normals (the translation of a 4 × 4 matrix) is nothing beside long ones.
             val long = if (usual.roles != null &&
@@ -79,18 +82,15 @@ internal class ProgramStudy(
             val emission = EmissionStudy.of(decoded, colors, roles)
             return ProgramStudy(
                 number, decoded, formula, colors, roles, decoded.exponent, lights, emission,
-                SilentLights.of(
-                    decoded,
-                    colors.silent,
-                    surface,
-                ),
+                SilentLights.of(decoded, colors, surface, roles),
                 lit !== usual,
                 colors.lights.isNotEmpty() && isAwake(
                     box,
                     decoded,
                 ),
-                neverConed(decoded, colors, surface, roles, lights),
-                HiddenLights.areThere(decoded, colors, samples), files(capture, number), sentValues(capture, number, draw),
+                ConelessLights.of(decoded, colors, surface, roles, lights),
+                HiddenLights.areThere(decoded, colors, samples), SamplerFacts.files(capture, number), SamplerFacts.unbound(capture, number),
+                sentValues(capture, number, draw), look.deadly,
             )
         }
 
@@ -117,19 +117,6 @@ internal class ProgramStudy(
                     ?: threes.firstOrNull { isNormal(DrawVertices(capture, draw), it) }
             }
             return BlackBox(rig, program, formula.positionLocation, normal, others.filter { it != normal }, spaces, values) to formula
-        }
-
-        private fun files(
-            capture: Capture,
-            number: Int,
-        ): Map<String, Set<String>> {
-            val events = capture.events.filter { it.kind == EventKind.TEXTURE_FILE }
-            val names = events.associate { it.text.substringBefore(' ').toIntOrNull() to it.text.substringAfter(' ') }
-            val draws = capture.frames.flatMap { it.steps }.filterIsInstance<CapturedDraw>().filter { it.program == number }
-            val read = draws.flatMap { draw ->
-                draw.uniforms.filter { it.type == GL_SAMPLER_2D }.map { it.name to names[draw.textures[it.numbers[0].toInt()]] }
-            }
-            return read.groupBy({ it.first }, { it.second }).mapValues { it.value.filterNotNull().toSet() }.filterValues { it.isNotEmpty() }
         }
 
         /** Values of each uniform over all draws of program [number], those of [draw] last. */
@@ -171,49 +158,12 @@ internal class ProgramStudy(
             }
         }
 
-        /** Those of [lights] that shine evenly and would not if numbers that are 0 were something else. */
-        private fun neverConed(
-            box: BlackBox,
-            colors: ColorSlots,
-            surface: List<Vector3d>,
-            roles: TextureRoles?,
-            lights: List<LightModel>,
-        ): List<LightModel> {
-            val zeros = SilentLights.zeros(box)
-            if (roles == null || roles.isShared || zeros.none { it.components <= 2 }) return emptyList()
-            val awake = SilentLights.awake(box, zeros)
-            val study = LightStudy(LightSearch(awake, surface), roles)
-            return lights.filter { it.cone == null }.filter { study.of(LightProbe(awake, it.probe.slot, colors))?.cone != null }
-        }
-
         private fun isAwake(
             box: BlackBox,
             studied: BlackBox,
         ) = SilentLights.zeros(box).any { studied.values[it.name]?.contentEquals(box.values[it.name]) == false }
 
-        /** The colours of [box], with the gamma that has to be undone first. */
-        private fun colors(
-            box: BlackBox,
-            surface: List<Vector3d>,
-        ): Pair<BlackBox, ColorSlots> {
-            val search = LightSearch(box, surface)
-            val few = search.samples(LightSearch.FEW_DIRECTIONS)
-            val many = search.samples(LightSearch.MANY_DIRECTIONS)
-            val plain = ColorSlots.of(box, few, many)
-            if (plain.lights.isNotEmpty()) return box to plain
-            for (exponent in EXPONENTS) {
-                val decoded = box.decodedBy(exponent)
-                val colors = ColorSlots.of(decoded, few, many)
-                if (colors.lights.isNotEmpty()) return decoded to colors
-            }
-            // One light that divides by what was never sent can make all of the picture NaN.
-            val awake = SilentLights.awake(box, SilentLights.zeros(box))
-            val colors = ColorSlots.of(awake, few, many)
-            return if (colors.lights.isEmpty()) box to plain else awake to colors
-        }
-
         private const val SURFACE = 240
         private const val LONG = 1048576.0
-        private val EXPONENTS = listOf(2.2, 1 / 2.2, 2.0, 0.5, 1.8, 2.4)
     }
 }

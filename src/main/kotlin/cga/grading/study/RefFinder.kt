@@ -25,7 +25,7 @@ internal class RefFinder(
             val viewed = view?.transformPosition(sent.raw, Vector3d()) ?: continue
             if (viewed.distance(measured) < tolerance) return sent.ref(Space.WORLD, 1.0, measured)
         }
-        turnedOnly(measured)?.let { return VectorRef(it.name, Space.WORLD, 1.0, measured) }
+        detour(measured)?.let { return VectorRef(it.name, Space.WORLD, 1.0, measured) }
         return if (view ==
             null
         ) {
@@ -35,21 +35,14 @@ internal class RefFinder(
         }
     }
 
-    /** The uniform that is at [measured] when it goes through the view matrix as a direction; null where one is there as a point. */
-    fun turnedOnly(measured: Vector3dc): ActiveUniform? {
-        val matrix = view ?: return null
+    /** The uniform of a world position that one of the [Detours] brings to [measured] in view space; null where one is there as a point. */
+    fun detour(measured: Vector3dc): ActiveUniform? {
         val tolerance = 1e-3 * (1 + measured.length())
-        val (found, isPoint) =
-            vectors()
-                .partition { it.raw.length() > tolerance && matrix.transformDirection(it.raw, Vector3d()).distance(measured) < tolerance }
-                .let { (turned, _) ->
-                    turned to
-                        vectors().any {
-                            it.raw.distance(measured) < tolerance ||
-                                matrix.transformPosition(it.raw, Vector3d()).distance(measured) < tolerance
-                        }
-                }
-        return if (isPoint) null else found.firstOrNull()?.slot
+
+        fun isThere(point: Vector3d) = point.distance(measured) < tolerance
+        val sent = vectors()
+        if (sent.any { isThere(it.raw) || view?.transformPosition(it.raw, Vector3d())?.let(::isThere) == true }) return null
+        return sent.firstOrNull { it.raw.length() > tolerance && Detours.of(study.box.spaces, it.raw).any(::isThere) }?.slot
     }
 
     fun cone(

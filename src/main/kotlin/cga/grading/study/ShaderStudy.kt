@@ -6,6 +6,7 @@ import cga.grading.capture.CapturedDraw
 import cga.grading.capture.CapturedFrame
 import cga.grading.findings.Found
 import cga.grading.findings.Measured
+import cga.grading.findings.Mistake
 import cga.grading.findings.Plot
 import cga.grading.scene.ObservedFrame
 
@@ -29,7 +30,15 @@ public class ShaderStudy private constructor(
     public val checks: List<Measured>,
     public val plots: List<Plot>,
     public val notes: List<String>,
+    private val studied: Collection<ProgramStudy>,
 ) : AutoCloseable {
+    /** Whether the shaders could limit a light to a cone, while none has one. */
+    internal val canCone: Boolean get() = studied.any { it.coneless.canCone }
+
+    /** Uniforms that nobody sends and that leave no number of the picture, where that is no mistake with a name. */
+    internal val deadly: Set<String>
+        get() = if (mistakes.any { it.mistake == Mistake.CONE_NEVER_SENT }) emptySet() else studied.flatMap { it.deadly }.toSet()
+
     /** What [frame] of the capture shows in terms of the scene; null where no draw of it is understood. */
     public fun observe(frame: CapturedFrame): ObservedFrame? = observations.of(frame)
 
@@ -72,7 +81,7 @@ public class ShaderStudy private constructor(
                     capture,
                     studies,
                 ),
-                Materials(rig, capture, studies), mistakes, checks, StudyPlots.of(own), notes,
+                Materials(rig, capture, studies), mistakes, checks, StudyPlots.of(own), notes, own,
             )
         }
     }

@@ -12,22 +12,25 @@ import kotlin.math.abs
  *
  * @param slot its colour.
  * @param missing those of the uniforms at 0 that it would look different without.
+ * @param hasCone whether it would be limited to a cone.
  */
 internal class SilentLight(
     val slot: ActiveUniform,
     val missing: List<ActiveUniform>,
+    val hasCone: Boolean,
 )
 
 /** Wakes up lights whose parameters were never sent: a uniform that is all 0 gets a value that a light could have. */
 internal object SilentLights {
-    /** The silent lights of [box] among [silent], uniforms without any effect; [surface] are points on what is drawn. */
+    /** The silent lights of [box] among its [colors] without any effect; [surface] are points on what is drawn. */
     fun of(
         box: BlackBox,
-        silent: List<ActiveUniform>,
+        colors: ColorSlots,
         surface: List<Vector3d>,
+        roles: TextureRoles?,
     ): List<SilentLight> {
         val zeros = zeros(box)
-        val candidates = silent.filter { slot ->
+        val candidates = colors.silent.filter { slot ->
             slot.name !in box.program.constants &&
                 box.values[slot.name].let { it != null && it.any { part -> part != 0f } }
         }
@@ -35,7 +38,9 @@ internal object SilentLights {
         val awake = awake(box, zeros)
         val samples = LightSearch(awake, surface).samples(LightSearch.MANY_DIRECTIONS)
         return candidates.filter { ColorSlots.isLight(awake, samples, it) }.map { slot ->
-            SilentLight(slot, zeros.filter { matters(awake, it, samples, slot) })
+            val all = ColorSlots(colors.lights + slot, colors.flats, colors.factors, colors.silent - slot)
+            val model = roles?.let { LightStudy(LightSearch(awake, surface), it).of(LightProbe(awake, slot, all)) }
+            SilentLight(slot, zeros.filter { matters(awake, it, samples, slot) }, model?.cone != null)
         }
     }
 

@@ -48,7 +48,8 @@ internal object StudyChecks {
             measured(
                 Check.CONE_SPECULAR,
                 mistakes,
-                spots.mapNotNull { it.highlight?.limits?.all },
+                // Whether it fades with the distance is judged by itself.
+                spots.mapNotNull { spot -> spot.highlight?.limits?.let { minOf(it.all, it.coneOnly) } },
                 "highlight inside and outside of the cone",
             ),
             measured(Check.ATTENUATION_FORM, mistakes, lights.mapNotNull { it.attenuation?.error }, "1/(Kc + Kl d + Kq d^2)"),

@@ -32,6 +32,9 @@ internal class TextureRoles(
     /** Whether diffuse and specular term have one texture. */
     val isShared: Boolean get() = diffuse != null && diffuse == specular
 
+    /** These with the other's work for the diffuse and the specular texture: the exponent is at the cosine of the diffuse term. */
+    fun exchanged(): TextureRoles = TextureRoles(emission, specular, diffuse, multiplied, untextured, Peak.POWER, powers)
+
     /** These with the diffuse texture for the specular term as well. */
     fun shared(): TextureRoles = TextureRoles(emission, diffuse, diffuse, multiplied, untextured, peak, powers)
 

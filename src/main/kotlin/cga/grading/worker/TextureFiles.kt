@@ -9,8 +9,8 @@ import java.nio.file.LinkOption
 import java.nio.file.Path
 
 /**
- * Which files textures were made of: an image that says by its name whether it is diffuse or specular, and has the same texels, either
- * way up. What a texture is used for does not tell what it was made for.
+ * Which files textures were made of: an image that says by its name whether it is diffuse, specular or emissive, and has the same texels,
+ * either way up. What a texture is used for does not tell what it was made for.
  */
 internal object TextureFiles {
     /** Names of files below [folder] by the number of the texture in [capture]; textures that several such files look like are left out. */
@@ -74,5 +74,5 @@ internal object TextureFiles {
     private const val MOST_FILES = 2000L
     private const val MOST_IMAGES = 64L
     private const val LARGEST = 8L shl 20
-    private val ROLE = Regex("diff|spec", RegexOption.IGNORE_CASE)
+    private val ROLE = Regex("diff|spec|emit|emis|glow", RegexOption.IGNORE_CASE)
 }

@@ -1,0 +1,72 @@
+package cga.grading.study
+
+import org.joml.Vector3d
+
+/**
+ * What a program shows before anything is known of it: its colours, and the conditions under which they show.
+ *
+ * @param box with the gamma undone, and where nothing would shine with values for uniforms that were never sent.
+ * @param search that finds the points where the lights of [colors] shine.
+ * @param deadly uniforms that are 0 in the draw and leave no number of the picture, whatever else is sent: something is divided by them.
+ */
+internal class FirstLook private constructor(
+    val box: BlackBox,
+    val colors: ColorSlots,
+    val search: LightSearch,
+    val deadly: Set<String> = emptySet(),
+) {
+    companion object {
+        /** Looks at [box] on and around [surface], points in view space. */
+        fun of(
+            box: BlackBox,
+            surface: List<Vector3d>,
+        ): FirstLook {
+            val search = LightSearch(box, surface)
+            val few = search.samples(LightSearch.FEW_DIRECTIONS)
+            val many = search.samples(LightSearch.MANY_DIRECTIONS)
+            val plain = FirstLook(box, ColorSlots.of(box, few, many), LightSearch(box, surface))
+            if (plain.colors.lights.isNotEmpty()) return wider(plain, surface)
+            for (exponent in EXPONENTS) {
+                val decoded = box.decodedBy(exponent)
+                val colors = ColorSlots.of(decoded, few, many)
+                if (colors.lights.isNotEmpty()) return FirstLook(decoded, colors, LightSearch(decoded, surface))
+            }
+            // One light that divides by what was never sent can make all of the picture NaN.
+            val zeros = SilentLights.zeros(box)
+            val awake = SilentLights.awake(box, zeros)
+            val colors = ColorSlots.of(awake, few, many)
+            if (colors.lights.isEmpty()) return wider(plain, surface)
+            return FirstLook(awake, colors, LightSearch(awake, surface), deadly(box, awake, zeros, few))
+        }
+
+        /** [plain], or where colours are sent that show nowhere a look at the places that wrong matrices would bring lights to. */
+        private fun wider(
+            plain: FirstLook,
+            surface: List<Vector3d>,
+        ): FirstLook {
+            val box = plain.box
+            val isComplete = plain.colors.silent.none { slot ->
+                slot.name !in box.program.constants && box.values[slot.name]?.any { it != 0f } == true
+            }
+            if (isComplete) return plain
+            val search = LightSearch(box, surface, isWide = true)
+            val colors =
+                ColorSlots.of(box, search.samples(LightSearch.FEW_DIRECTIONS), search.samples(LightSearch.MANY_DIRECTIONS))
+            if (colors.lights.size <= plain.colors.lights.size) return plain
+            return FirstLook(box, colors, LightSearch(box, surface, isWide = true))
+        }
+
+        private fun deadly(
+            box: BlackBox,
+            awake: BlackBox,
+            zeros: List<ActiveUniform>,
+            samples: List<Sample>,
+        ): Set<String> {
+            fun isDead(seen: BlackBox) = seen.shade(samples, Setting()).none { it.isFinite() }
+            if (!isDead(box)) return emptySet()
+            return zeros.filter { isDead(awake.withValues(mapOf(it.name to FloatArray(it.components)))) }.map { it.name }.toSet()
+        }
+
+        private val EXPONENTS = listOf(2.2, 1 / 2.2, 2.0, 0.5, 1.8, 2.4)
+    }
+}

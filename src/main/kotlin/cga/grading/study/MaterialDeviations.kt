@@ -1,0 +1,77 @@
+package cga.grading.study
+
+import cga.grading.findings.Check
+import cga.grading.findings.Mistake
+
+/** What is wrong with the textures of a program: which term each colours, and whether it is there at all. */
+internal object MaterialDeviations {
+    fun of(study: ProgramStudy): List<Deviation> {
+        val roles = study.roles ?: return emptyList()
+        val found = mutableListOf<Deviation>()
+
+        fun add(
+            mistake: Mistake,
+            check: Check = mistake.check,
+        ) {
+            found += Deviation(mistake, "", 0.0, 1.0, check = check)
+        }
+        if (roles.isShared) add(Mistake.UNKNOWN, Check.MATERIAL)
+        if (roles.diffuse == null && roles.specular != null) add(Mistake.DIFFUSE_MISSING)
+        if (roles.specular == null && roles.untextured < 1e-3) add(Mistake.SPECULAR_MISSING)
+        if (roles.peak != Peak.POWER && isSwapped(roles, study.files)) add(Mistake.MAPS_SWAPPED)
+        if (isAtWrongUnit(study, roles)) add(Mistake.SAMPLER_UNIT)
+        if (study.exponent < 1 || roles.powers.values.any { it < ENCODED }) add(Mistake.GAMMA_DIRECTION)
+        return found
+    }
+
+    /** Whether two samplers read one unit, or one reads a unit at which no draw finds a texture. */
+    private fun isAtWrongUnit(
+        study: ProgramStudy,
+        roles: TextureRoles,
+    ): Boolean {
+        val units = study.box.program.samplers.mapNotNull { study.box.values[it.name]?.firstOrNull() }
+        return units.size != units.distinct().size || listOf(roles.emission, roles.diffuse, roles.specular).any { it in study.unbound }
+    }
+
+    /** Whether the files that the samplers read, or where none is known their own names, say that they have another's work. */
+    fun isSwapped(
+        roles: TextureRoles,
+        files: Map<String, Set<String>>,
+    ): Boolean {
+        val samplers =
+            mapOf(MapWord.EMISSION to roles.emission, MapWord.DIFFUSE to roles.diffuse, MapWord.SPECULAR to roles.specular)
+                .mapNotNull { (use, sampler) -> sampler?.let { use to it } }
+        val words = samplers.associate { (_, sampler) ->
+            sampler to (if (files.isEmpty()) setOf(sampler) else files[sampler].orEmpty()).mapNotNull(MapWord::of).toSet()
+        }
+        return samplers.any { (use, sampler) ->
+            samplers.any { (other, its) ->
+                sampler != its && haveMoved(use, words.getValue(sampler), other, words.getValue(its))
+            }
+        }
+    }
+
+    /** Whether what belongs to the use [b] is at [a], and not only because there is nothing else: at [b] is something else instead. */
+    private fun haveMoved(
+        a: MapWord,
+        saidByA: Set<MapWord>,
+        b: MapWord,
+        saidByB: Set<MapWord>,
+    ) = b in saidByA && (a in saidByB || (saidByB.isNotEmpty() && b !in saidByB))
+
+    // A texture is taken as it is (1) or decoded (2.2); what makes it brighter encodes it once more.
+    private const val ENCODED = 0.8
+}
+
+/** What names of textures say about their use. */
+private enum class MapWord(private val pattern: Regex) {
+    EMISSION(Regex("emit|emis|glow|ems", RegexOption.IGNORE_CASE)),
+    DIFFUSE(Regex("diff|albedo|base", RegexOption.IGNORE_CASE)),
+    SPECULAR(Regex("spec|gloss|shin", RegexOption.IGNORE_CASE)),
+    ;
+
+    companion object {
+        /** The one use that [name] speaks of, null where it speaks of none or of several. */
+        fun of(name: String): MapWord? = entries.filter { it.pattern.containsMatchIn(name) }.singleOrNull()
+    }
+}

@@ -94,6 +94,8 @@ class MistakesTest {
                 "pointLightPos - (model_matrix * vec4(position, 1.0)).xyz",
             ),
             vertex(Mistake.TO_LIGHT_WORLD, "lights through the model matrix", "(view_matrix * vec4(", "(model_matrix * vec4("),
+            vertex(Mistake.TO_LIGHT_WORLD, "lights through the view twice", "(view_matrix * vec4(", "(view_matrix * view_matrix * vec4("),
+            vertex(Mistake.TO_LIGHT_WORLD, "lights through the camera's matrix", "(view_matrix * vec4(", "(inverse(view_matrix) * vec4("),
             fragment(Mistake.CLAMP_MISSING, "diffuse clamp missing", "max(dot(n, l), 0.0)" to "dot(n, l)"),
             fragment(Mistake.SPECULAR_CLAMP_MISSING, "specular clamp missing", "max(dot(n, h), 0.0)" to "dot(n, h)"),
             fragment(Mistake.EXPONENT_FIXED, "exponent fixed", "pow(cosBeta, shininess)" to "pow(cosBeta, 32.0)"),
@@ -118,6 +120,14 @@ class MistakesTest {
                 "emission and diffuse map swapped",
                 "texture(emit," to "texture(diff,",
                 "diffuse = texture(diff," to "diffuse = texture(emit,",
+            ),
+            fragment(
+                Mistake.MAPS_SWAPPED,
+                "all three maps at the next one's place",
+                "texture(emit," to "texture(first,",
+                "texture(diff," to "texture(spec,",
+                "specular = texture(spec," to "specular = texture(emit,",
+                "texture(first," to "texture(diff,",
             ),
             values(Mistake.SAMPLER_UNIT, "sampler left at unit 0", "spec" to 0),
             fragment(

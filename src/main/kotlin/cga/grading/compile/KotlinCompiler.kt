@@ -47,27 +47,12 @@ public class KotlinCompiler internal constructor(
     private fun java(arguments: List<String>, options: List<String>) =
         JavaCommand(jars, MAIN, arguments, HEAP_MEGABYTES, SILENT + opened + options).command()
 
-    private fun arguments(sources: List<Path>, libraries: List<Path>, classes: Path): List<String> =
-        listOf(
-            "-no-stdlib", "-no-reflect", "-nowarn", "-module-name", "submission", "-jvm-target",
-            if (number >=
-                KNOWS_17
-            ) {
-                "17"
-            } else {
-                "1.8"
-            },
-        ) +
-            (
-                if (languageLevel !=
-                    null
-                ) {
-                    listOf("-language-version", languageLevel, "-api-version", languageLevel, NO_AGE)
-                } else {
-                    listOf(ANY_METADATA)
-                }
-            ) +
+    private fun arguments(sources: List<Path>, libraries: List<Path>, classes: Path): List<String> {
+        val target = if (number >= KNOWS_17) "17" else "1.8"
+        val level = languageLevel?.let { listOf("-language-version", it, "-api-version", it, NO_AGE) } ?: listOf(ANY_METADATA)
+        return listOf("-no-stdlib", "-no-reflect", "-nowarn", "-module-name", "submission", "-jvm-target", target) + level +
             listOf("-cp", (listOf(stdlib) + libraries).joinToString(":"), "-d", "$classes") + sources.map { "$it" }
+    }
 
     /** Makes the archive of the compiler's classes, with which it starts in half the time, unless it is there. */
     internal fun warmUp() {

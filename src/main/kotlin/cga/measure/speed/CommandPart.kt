@@ -77,8 +77,8 @@ internal object CommandPart {
     private fun commandTable(rows: List<SpeedRow>) =
         SpeedTable(
             "Whole commands",
-            "In turns, at most $MOST_ROUNDS rounds after one that is not counted. The submission is the corpus' own project in the style of " +
-                "the course's; compiling is included, archives and compilers are there already.",
+            "In turns, at most $MOST_ROUNDS rounds after one that is not counted. The submission is the corpus' own project in the " +
+                "style of the course's; compiling is included, archives and compilers are there already.",
             "",
             listOf("s", "processor s"),
             rows,

@@ -113,6 +113,23 @@ class ColorMistakesTest {
     }
 
     @Test
+    fun `a colour that never arrives leaves everything black, and its name is guessed`() {
+        class Black : Rig() {
+            override fun motorcycleTint(t: Double) = Vector3d()
+
+            override fun groundTint(t: Double) = Vector3d()
+
+            override fun ownColor(t: Double) = Vector3d(abs(sin(t)), abs(sin(t / 2)), 0.5)
+        }
+        val costs = arrayOf(Check.GROUND_COLOR, Check.MOTORCYCLE_COLOR)
+        Black().verdict().assertMistake(Mistake.EMISSION_MISSING, *costs)
+        val events = listOf(CapturedEvent(EventKind.UNIFORM_ABSENT, 0, "sceneColor"))
+        val told = Black().verdict(events = events, uniforms = setOf("scneColor"), program = ProgramFacts(setOf("scneColor")))
+        told.assertMistake(Mistake.EMISSION_MISSING, *costs)
+        assertEquals(listOf("Set but in no program: sceneColor (is scneColor meant?)."), told.notes)
+    }
+
+    @Test
     fun `a white ground, a black one, one without a colour, one in the motorcycle's colours`() {
         fun ground(color: (Rig, Double) -> Vector3d?): SceneVerdict {
             val rig = object : Rig() {

@@ -15,7 +15,7 @@ import org.junit.jupiter.api.Test
 /** What can be wrong with the places of the lights. */
 class LightMistakesTest {
     private val allOfPoint =
-        arrayOf(Check.POINT_LIGHT, Check.POINT_LIGHT_CHILD, Check.POINT_LIGHT_POSITION, Check.ATTENUATION_POINT, Check.LIGHT_COLOR)
+        arrayOf(Check.POINT_LIGHT, Check.POINT_LIGHT_CHILD, Check.POINT_LIGHT_POSITION, Check.LIGHT_COLOR)
 
     @Test
     fun `the point light is missing`() {
@@ -23,6 +23,14 @@ class LightMistakesTest {
             override val lamps get() = listOf(head) + corners
         }
         rig.verdict().assertMistake(Mistake.LIGHT_MISSING, *allOfPoint)
+    }
+
+    @Test
+    fun `without any point light that fades as it should nobody can say that they do`() {
+        val rig = object : Rig() {
+            override val lamps = listOf(head) + corners.map { Lamp(it.name, it.body, Vector3d(1.0, 0.0, 0.5), color = it.color) }
+        }
+        rig.verdict().assertMistake(Mistake.LIGHT_MISSING, *allOfPoint, Check.ATTENUATION_POINT)
     }
 
     @Test
@@ -252,6 +260,20 @@ class LightMistakesTest {
             }.verdict(events = events)
         rig(emptyList()).assertRight()
         rig(listOf(CapturedEvent(EventKind.UNIFORM_OVERWRITTEN, 0, "bike_lamp.place"))).assertMistake(Mistake.LIGHT_POSITION_OVERWRITTEN)
+    }
+
+    @Test
+    fun `lights that nobody moved are at one place without one position for all`() {
+        fun rig(place: Vector3d) =
+            object : Rig() {
+                override fun position(lamp: Lamp, view: Matrix4d) =
+                    if (lamp in corners) view.transformPosition(Vector3d(place)) else super.position(lamp, view)
+
+                override fun lights(moment: Moment, t: Double, view: Matrix4d) =
+                    super.lights(moment, t, view).map { ObservedLight(it.name, it.position, it.color, it.k, it.spot, "${it.name}.place") }
+            }.verdict()
+        rig(Vector3d()).assertMistake(Mistake.MORE_LIGHTS_MISSING)
+        assertTrue(rig(Vector3d(5.0, 1.0, 5.0))[Mistake.LIGHT_POSITION_OVERWRITTEN] != null)
     }
 
     @Test

@@ -85,6 +85,14 @@ class OrbitMistakesTest {
     }
 
     @Test
+    fun `the way to the side turns the camera up and down, or rolls it`() {
+        turning { rig, dx, _ -> rig.camera.rotateAroundPoint(dx, 0f, 0f, Vector3f()) }
+            .assertMistake(Mistake.UNKNOWN, Check.ORBIT, least = 0.9)
+        val rolled = turning { rig, dx, _ -> rig.camera.rotateAroundPoint(0f, 0f, dx, Vector3f()) }
+        rolled.assertMistake(Mistake.UNKNOWN, Check.ORBIT, least = 0.9)
+    }
+
+    @Test
     fun `half as fast, in degrees, and in degrees taken for radians`() {
         for (factor in listOf(0.5, Math.toRadians(1.0), 2.5)) {
             val verdict = turning { rig, dx, _ -> rig.camera.rotateAroundPoint(0f, (dx * factor).toFloat(), 0f, Vector3f()) }

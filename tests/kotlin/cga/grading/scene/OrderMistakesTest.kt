@@ -105,6 +105,18 @@ class OrderMistakesTest {
     }
 
     @Test
+    fun `a count of lights that is sent too early leaves none, and a choice that is 0 explains nothing else`() {
+        val rig = object : Rig() {
+            override val lamps get() = emptyList<Lamp>()
+        }
+        val events = listOf(CapturedEvent(EventKind.UNIFORM_WITHOUT_PROGRAM, -1, "glUniform1i u_count"))
+        val lost = rig.verdict(events = events, program = ProgramFacts(unset = emptySet(), idle = setOf("u_count")))
+        assertEquals(listOf(Mistake.UNIFORM_BEFORE_USE), lost.mistakes.map { it.mistake }, lost.text())
+        val other = rig.verdict(events = events, program = ProgramFacts(unset = emptySet(), idle = setOf("u_mode")))
+        assertTrue(other[Mistake.LIGHT_MISSING] != null, other.text())
+    }
+
+    @Test
     fun `events that spoil nothing are notes`() {
         val events =
             listOf(

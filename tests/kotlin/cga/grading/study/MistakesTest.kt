@@ -94,6 +94,18 @@ class MistakesTest {
                 "pointLightPos - (model_matrix * vec4(position, 1.0)).xyz",
             ),
             vertex(Mistake.TO_LIGHT_WORLD, "lights through the model matrix", "(view_matrix * vec4(", "(model_matrix * vec4("),
+            vertex(Mistake.TO_LIGHT_WORLD, "lights through model and view", "(view_matrix * vec4(", "(modelView * vec4("),
+            Case(
+                "normals in view space, all else in world space",
+                setOf(Mistake.NORMAL_MATRIX),
+                vertex =
+                    CourseShaders.VERTEX
+                        .edited("pos = modelView *", "pos = model_matrix *")
+                        .edited("projection_matrix * pos", "projection_matrix * view_matrix * pos")
+                        .edited("-pos.xyz;", "inverse(view_matrix)[3].xyz - pos.xyz;")
+                        .edited("(view_matrix * vec4(", "(vec4("),
+                sent = { _, it -> it + ("spotLightDirection" to scene.spotDirection) },
+            ),
             vertex(Mistake.TO_LIGHT_WORLD, "lights through the view twice", "(view_matrix * vec4(", "(view_matrix * view_matrix * vec4("),
             vertex(Mistake.TO_LIGHT_WORLD, "lights through the camera's matrix", "(view_matrix * vec4(", "(inverse(view_matrix) * vec4("),
             fragment(Mistake.CLAMP_MISSING, "diffuse clamp missing", "max(dot(n, l), 0.0)" to "dot(n, l)"),
@@ -221,8 +233,16 @@ class MistakesTest {
                 " * sceneColour" to "",
                 "vec4(result, 1.0)" to "vec4(result * sceneColour, 1.0)",
             ),
+            fragment(
+                Mistake.UNKNOWN,
+                "the emission with each light",
+                "vec3 result = emission" to "vec3 result = vec3(0.0)",
+                "result += " to "result += emission + ",
+            ),
+            fragment(null, "the emission half as bright again", "vec3 result = emission" to "vec3 result = 1.5 * emission"),
             fragment(Mistake.EMISSION_MISSING, "emission missing", "vec3 result = emission" to "vec3 result = vec3(0.0)"),
             fragment(Mistake.LATER_LIGHTS_FIRST_COSINE, "later light with the first one's cosine", "shade(n, lc, v" to "shade(n, lp, v"),
+            fragment(Mistake.LATER_LIGHTS_FIRST_COSINE, "the spotlight with the first one's cosine", "shade(n, ls, v" to "shade(n, lp, v"),
             fragment(
                 Mistake.LATER_LIGHTS_FIRST_COLOR,
                 "later light with the first one's colour",

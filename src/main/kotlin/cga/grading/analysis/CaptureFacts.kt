@@ -18,7 +18,8 @@ internal class CaptureFacts(private val capture: Capture) {
     /** For the scene judge, with what [study] found out. */
     fun program(study: ShaderStudy): ProgramFacts =
         ProgramFacts(
-            unset = unset(),
+            unset = unset { it !in WHOLE },
+            idle = unset { it == GL_INT || it == GL_BOOL },
             declares = UniformDeclarations(capture.programs.flatMap { listOf(it.vertexSource, it.fragmentSource) }, uniforms)::declares,
             drawn = capture.frames.filter { frame -> frame.steps.any { it is CapturedDraw } }.map { it.moment }.toSet(),
             isReplaced = draws.isNotEmpty() && draws.all { capture.programs[it.program].substituted },
@@ -26,8 +27,9 @@ internal class CaptureFacts(private val capture: Capture) {
             deadly = study.deadly,
         )
 
-    private fun unset(): Set<String> {
-        val numbers = draws.flatMap { it.uniforms }.filter { it.type !in WHOLE }
+    /** Names of the uniforms [ofType] that are 0 in every draw. */
+    private fun unset(ofType: (Int) -> Boolean): Set<String> {
+        val numbers = draws.flatMap { it.uniforms }.filter { ofType(it.type) }
         val set = numbers.filter { uniform -> uniform.numbers.any { it != 0f } }.map { it.name }.toSet()
         return numbers.map { it.name }.toSet() - set
     }

@@ -16,7 +16,9 @@ internal class AttenuationJudge(
     private val spotK = profile.spotK
 
     fun judge() {
-        val point = measure(roles.own, pointK, Check.ATTENUATION_POINT, "There is no point light that could fade.")
+        // Without the motorcycle's own, another point light shows that they fade as they should.
+        val model = roles.own ?: roles.further.find { isRight(it.last.k, pointK) }
+        val point = measure(model, pointK, Check.ATTENUATION_POINT, "There is no point light that could fade.")
         val spot = measure(roles.spot, spotK, Check.ATTENUATION_SPOT, "There is no spotlight that could fade.")
         name(point, spot)
     }
@@ -48,6 +50,11 @@ internal class AttenuationJudge(
         }
         return if (error > NAMED) Other(light, k, error) else null
     }
+
+    private fun isRight(
+        k: Vector3dc,
+        expected: Vector3dc?,
+    ) = k.isFinite && k.maxAbs() >= NOTHING && (if (expected == null) !isConstant(k) else difference(k, expected) <= NAMED)
 
     private fun name(
         point: Other?,

@@ -34,13 +34,25 @@ internal class ColorJudge(
         } else {
             all
         }
-        ground(ground)
-        motorcycle(motorcycle)
+        if ((ground + motorcycle).let { both -> both.isNotEmpty() && both.all { it.color.maxAbs() < DARK } }) {
+            nothing()
+        } else {
+            ground(ground)
+            motorcycle(motorcycle)
+        }
         light(motorcycle)
         if (ground.isEmpty() && motorcycle.isEmpty() && timeline.laterShots.isNotEmpty()) {
             val explains = if (isSent) setOf(Check.GROUND_COLOR, Check.MOTORCYCLE_COLOR) else emptySet()
             book.found(Mistake.EMISSION_COLOR_IGNORED, 0.0, 1.0, "ground and motorcycle", listOf(Mistake.COLOR_CONSTANT), explains)
         }
+    }
+
+    /** The emission is multiplied with black, always: no colour arrives. */
+    private fun nothing() {
+        val checks = setOf(Check.GROUND_COLOR, Check.MOTORCYCLE_COLOR)
+        checks.forEach { book.measured(it, 1.0, "The emission is multiplied with black in every frame, so nothing glows.") }
+        book.found(Mistake.EMISSION_MISSING, 0.0, 1.0, "ground and motorcycle", explains = checks)
+        book.lacks(COLOR, checks, setOf(Mistake.EMISSION_MISSING))
     }
 
     private fun tints(track: Track?): List<Tint> =
@@ -103,7 +115,7 @@ internal class ColorJudge(
     private fun light(tints: List<Tint>) {
         val own = roles.own ?: return book.absent(Check.LIGHT_COLOR, "There is no point light at the motorcycle.")
         val changes = spread(tints) > CHANGE
-        val isPlain = tints.isEmpty() || tints.last().color.distance(WHITE) < PLAIN
+        val isPlain = tints.isEmpty() || tints.last().color.let { it.distance(WHITE) < PLAIN || it.maxAbs() < DARK }
         if (!changes && (own.changesColor || isPlain)) {
             // Sines on the light alone: what is missing is the motorcycle's colour, and costs there.
             val (error, what) = if (own.changesColor) 0.0 to "changes" else 1.0 to "never changes"
@@ -165,20 +177,23 @@ internal class ColorJudge(
 
     private fun list(tints: List<Tint>) = tints.joinToString { it.color.text() }
 
-    private companion object {
-        val WHITE: Vector3dc = Vector3d(1.0)
-        val STANDING = setOf(Moment.SECOND, Moment.TIME_1, Moment.TIME_2, Moment.TIME_3, Moment.TIME_4)
-        const val DARK = 1e-6
-        const val PLAIN = 0.02
-        const val STILL = 0.01
+    companion object {
+        /** What is lacking where the colour of the emission never arrives. */
+        const val COLOR = "the colour of the emission"
+
+        private val WHITE: Vector3dc = Vector3d(1.0)
+        private val STANDING = setOf(Moment.SECOND, Moment.TIME_1, Moment.TIME_2, Moment.TIME_3, Moment.TIME_4)
+        private const val DARK = 1e-6
+        private const val PLAIN = 0.02
+        private const val STILL = 0.01
 
         /** A sixtieth of a second changes the slowest of the sheet's sines by 5 thousandths. */
-        const val SAME = 1e-3
-        const val CHANGE = 0.03
-        const val DIFFERS = 0.03
+        private const val SAME = 1e-3
+        private const val CHANGE = 0.03
+        private const val DIFFERS = 0.03
 
         /** Seconds: one update may already be behind or ahead of the picture, and a picture of the next. */
-        const val SLACK = 2.0 / 60
-        const val CLOSE = 0.05
+        private const val SLACK = 2.0 / 60
+        private const val CLOSE = 0.05
     }
 }

@@ -57,6 +57,9 @@ internal class EventJudge(
         book.unlit += asked.filter(::isDeclared)
         when {
             asked.isEmpty() || book.isReplaced -> return
+            // The name of a colour: that costs where the emission is lacking.
+            book.missing == listOf(ColorJudge.COLOR) ->
+                book.note("Set but in no program: ${asked.take(MOST_NAMES).joinToString(transform = ::suggestion)}.")
             book.missing.isEmpty() || names.isEmpty() || !isMissed(names) || book.has(Mistake.UNIFORM_BEFORE_USE) ->
                 book.note("Set but in no program: ${asked.take(MOST_NAMES).joinToString()}. The picture lacks nothing of them.")
             else -> {
@@ -72,8 +75,9 @@ internal class EventJudge(
     /** Whether something that waits for numbers may have been meant by [names]: it is spelt alike, or nothing else is left for it. */
     private fun isMissed(names: List<String>): Boolean {
         val unset = program.unset ?: return true
-        val alike = names.any { name -> unset.any { (name.commonPrefixWith(it).length + name.commonSuffixWith(it).length) >= ALIKE } }
-        return unset.isNotEmpty() && (alike || names.size >= unset.size)
+        val waiting = unset + program.idle
+        val alike = names.any { name -> waiting.any { (name.commonPrefixWith(it).length + name.commonSuffixWith(it).length) >= ALIKE } }
+        return alike || (unset.isNotEmpty() && names.size >= unset.size)
     }
 
     private fun beforeUse() {
@@ -90,8 +94,8 @@ internal class EventJudge(
 
     /** Whether what [calls] set is 0 for ever. */
     private fun areLost(calls: List<String>): Boolean {
-        val unset = program.unset ?: return true
-        return calls.any { call -> ' ' !in call || unset.any { it.removeSuffix("[0]") == call.substringAfter(' ').removeSuffix("[0]") } }
+        val waiting = (program.unset ?: return true) + program.idle
+        return calls.any { call -> ' ' !in call || waiting.any { it.removeSuffix("[0]") == call.substringAfter(' ').removeSuffix("[0]") } }
     }
 
     private fun texts(kind: EventKind) = events.filter { it.kind == kind }.map { it.text.take(LONGEST_NAME) }.distinct().take(MOST_TEXTS)

@@ -5,8 +5,6 @@ import cga.grading.findings.Check
 import cga.grading.findings.Mistake
 import org.joml.Matrix4d
 import org.joml.Vector3d
-import kotlin.math.abs
-import kotlin.math.max
 
 /** Task 4.5: the mouse takes the camera about the motorcycle, with or without Alt, as the submission likes it. */
 internal class OrbitJudge(
@@ -33,7 +31,7 @@ internal class OrbitJudge(
         val sideways = turning.filter { it.move.isSideways() }
         if (sideways.isEmpty()) return missing(reactions)
         book.measured(Check.ORBIT, 0.0, "The camera turns ${if (sideways.all { it.move.alt }) "while Alt is held" else "with the mouse"}.")
-        horizon(turning, sideways)
+        OrbitAxis(book).judge(turning.map { it.turn }, sideways.map { it.turn })
         pivot(turning, sideways)
         OrbitPace(profile.radiansPerPixel, book).judge(reactions.map { it.move to it.turn })
         afterwards()
@@ -68,24 +66,6 @@ internal class OrbitJudge(
         val explains = if (isWritten) OrbitChecks.ALL - Check.ORBIT else emptySet()
         book.found(Mistake.ORBIT_MISSING, 0.0, 1.0, what, explains = explains)
     }
-
-    private fun horizon(
-        turning: List<Reaction>,
-        sideways: List<Reaction>,
-    ) {
-        val worst = turning.maxBy { it.rolled() }
-        val error = worst.rolled()
-        book.measured(Check.ORBIT_HORIZON, error, "The horizon tilts by ${error.percent()} of the angle turned; wanted 0 %.")
-        if (error <= NAMED) return
-        val rolled = sideways.maxBy { it.rolled() }
-        if (rolled.rolled() > NAMED) {
-            book.found(Mistake.ORBIT_OWN_AXIS, rolled.turn.fromOwnAxis / rolled.turn.tilt, rolled.rolled(), "camera")
-        } else {
-            book.found(Mistake.ORBIT_OWN_AXIS, error, error, "camera, when the mouse moves up or down")
-        }
-    }
-
-    private fun Reaction.rolled() = turn.roll / max(turn.angle, LEAST_TURN)
 
     private fun pivot(
         turning: List<Reaction>,
@@ -155,7 +135,6 @@ internal class OrbitJudge(
     internal companion object {
         /** Radians. Float matrices turn by 1e-6 of themselves; a factor in degrees still turns by 1e-3 in 100 pixels. */
         const val TURNED = 1e-4
-        private const val LEAST_TURN = 1e-2
         private const val MOTORCYCLE_TURNED = 1e-3
         private const val UPRIGHT = 0.05
         private const val LOST = 1e-2

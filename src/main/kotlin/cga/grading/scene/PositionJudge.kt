@@ -91,7 +91,7 @@ internal class PositionJudge(
 
     private fun overwritten() {
         for (i in lights.indices) {
-            val same = lights.drop(i + 1).filter { together(lights[i], it) && !isChosen(lights[i], it) }
+            val same = lights.drop(i + 1).filter { together(lights[i], it) && isOneNumber(lights[i], it) }
             if (same.isEmpty()) continue
             val names = (same + lights[i]).joinToString(" and ") { it.name }
             book.spoilt(Check.POINT_LIGHT_POSITION, 1.0, "$names are at the same place in every frame; wanted: each at its own.")
@@ -101,17 +101,28 @@ internal class PositionJudge(
         }
     }
 
+    /** Whether one position stands for both: not where each was sent by itself, by choice or because nobody ever moved either. */
+    private fun isOneNumber(
+        a: LightTrack,
+        b: LightTrack,
+    ): Boolean {
+        val sent = listOf(a, b).map { it.last.placedBy }
+        if (sent.any { it == null || it in overwritten } || sent[0] == sent[1]) return true
+        return !isChosen(a, b) && listOf(a, b).any { !it.isUnmoved() }
+    }
+
+    /** Whether the light is where what it hangs on is. */
+    private fun LightTrack.isUnmoved() = placed.place?.right == true && placed.point?.let { it.length() < AT_ORIGIN } == true
+
     /**
-     * Whether the motorcycle's two lights may be at one place because the student put them there: both ride along, each is sent in a
-     * uniform of its own, and neither was sent twice before it was drawn with.
+     * Whether the motorcycle's two lights may be at one place because the student put them there: both ride along, each sent
+     * by itself.
      */
     private fun isChosen(
         a: LightTrack,
         b: LightTrack,
     ): Boolean {
-        val sent = listOf(a, b).map { it.last.placedBy ?: return false }
-        if (!a.isRider() || !b.isRider() || sent[0] == sent[1] || sent.any(overwritten::contains)) return false
-        if (listOf(a, b).any { it.placed.place?.rides != true }) return false
+        if (!a.isRider() || !b.isRider() || listOf(a, b).any { it.placed.place?.rides != true }) return false
         book.note("${a.name} and ${b.name} are at the same place, each sent by itself.")
         return true
     }
@@ -143,6 +154,7 @@ internal class PositionJudge(
 
         /** World units. */
         const val AT_CAMERA = 1e-3
+        const val AT_ORIGIN = 1e-3
         const val BESIDE = 0.6
     }
 }

@@ -11,6 +11,7 @@ import org.joml.Vector3d
  * What is known of a submission's programs beside what they draw.
  *
  * @param unset active uniforms, samplers apart, that are 0 in every draw; null where nobody looked.
+ * @param idle whole numbers and truth values that are 0 in every draw: a count of lights that never arrived, or a choice.
  * @param declares whether the shaders declare a uniform of that name: then it is spelt right, even if the compiler dropped it.
  * @param drawn the moments at which anything was drawn at all.
  * @param canCone whether the shaders could limit a light to a cone, while none has one.
@@ -24,6 +25,7 @@ public class ProgramFacts(
     public val isReplaced: Boolean = false,
     public val canCone: Boolean = false,
     public val deadly: Set<String> = emptySet(),
+    public val idle: Set<String> = emptySet(),
 )
 
 /**

@@ -19,7 +19,9 @@ internal enum class Peak {
 /**
  * How strongly a placed light arrives at points, whatever the normal there: I·F of the lighting model.
  *
+ * @param placement what points are told from.
  * @param unclamped whether sides that look away receive negative light; then the range is twice the strength.
+ * @param facing what normals are turned to, where the light's directions come from elsewhere.
  */
 internal class Amplitudes(
     private val probe: LightProbe,
@@ -27,15 +29,19 @@ internal class Amplitudes(
     private val texels: Map<String, Double>,
     val unclamped: Boolean,
     private val peak: Peak = Peak.DIFFUSE,
+    private val facing: Placement = placement,
 ) {
+    /** The same light, told from [view] in view space. */
+    fun toldFrom(view: Vector3dc): Amplitudes = Amplitudes(probe, placement.movedTo(view), texels, unclamped, peak, facing)
+
     /** I·F at [points] in view space. */
     fun at(points: List<Vector3dc>): DoubleArray {
         val samples =
             points.flatMap { p ->
-                val towards = towards(placement, p, peak)
-                if (placement.isFlipped) towards.negate()
+                val towards = towards(facing, p, peak)
+                if (facing.isFlipped) towards.negate()
                 val dark = if (peak == Peak.DIFFUSE) Vector3d(towards).negate() else Directions.around(towards, PI / 2, 0.3)
-                listOf(towards, dark).map { Sample(p, placement.normalFor(it)) }
+                listOf(towards, dark).map { Sample(p, facing.normalFor(it)) }
             }
         val shades = probe.shade(samples, texels)
         val range = if (unclamped) 2.0 else 1.0

@@ -21,6 +21,8 @@ internal object Detours {
                 view.invert(Matrix4d()),
                 spaces.model,
                 spaces.model?.mul(view, Matrix4d()),
+                // As a vertex goes, though what was sent is in the world already.
+                spaces.modelView,
                 spaces.projection.mul(view, Matrix4d()),
             )
         return matrices.map { it.transformPosition(world, Vector3d()) } + view.transformDirection(world, Vector3d())

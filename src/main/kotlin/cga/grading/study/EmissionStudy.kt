@@ -21,19 +21,26 @@ internal enum class EmissionForm {
  *
  * @param tint the uniform that colours it, null where none does; a constant of the shader may be one.
  * @param ambient the colour that lights the diffuse texture everywhere, if it is a uniform.
+ * @param strength how much of the texture shows under a white colour: 1 where it is added once.
  */
 internal class EmissionStudy(
     val form: EmissionForm,
     val tint: ActiveUniform?,
     val ambient: ActiveUniform?,
+    val strength: Double = 1.0,
 ) {
+    /** Whether the texture is added as often as something is done for each of [lights] lights, or of the [points] among them. */
+    fun isForEach(
+        lights: Int,
+        points: Int,
+    ): Boolean = listOf(lights, points, lights + 1, points + 1).any { it > 1 && abs(strength / it - 1) < WHOLE }
+
     companion object {
         fun of(
             box: BlackBox,
             colors: ColorSlots,
             roles: TextureRoles?,
         ): EmissionStudy {
-            val sampler = roles?.emission ?: box.program.samplers.singleOrNull()?.name.takeIf { roles == null }
             val candidates = colors.flats + colors.factors
             val point = listOf(Sample(org.joml.Vector3d(0.3, 0.2, -4.0), Directions.AXES[2]))
             val dark = Setting().withColors(colors.lights, 0.0).withColors(candidates, 1.0)
@@ -45,6 +52,8 @@ internal class EmissionStudy(
                 if (name == null) return 0.0
                 return abs(box.shade(point, changed.withTexels(mapOf(name to 1.0)))[0] - box.shade(point, changed)[0])
             }
+            // Without any light to tell the textures apart by, what glows is the emission.
+            val sampler = roles?.emission ?: box.program.samplers.map { it.name }.takeIf { roles == null }?.maxByOrNull { shown(it, dark) }
             val ambient = candidates.firstOrNull {
                 shown(roles?.diffuse, dark) >
                     shown(roles?.diffuse, dark.withColors(listOf(it), 0.0)) + 1e-4
@@ -62,8 +71,11 @@ internal class EmissionStudy(
                     added != null -> EmissionForm.ADDED
                     else -> EmissionForm.UNTINTED
                 }
-            return EmissionStudy(form, tint ?: added, ambient)
+            return EmissionStudy(form, tint ?: added, ambient, shown)
         }
+
+        /** Relative: floats are a hundred times as exact. */
+        private const val WHOLE = 1e-3
 
         /** The uniform among [flats] that shows where all textures are black. */
         private fun added(

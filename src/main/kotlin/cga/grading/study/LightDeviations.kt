@@ -22,18 +22,7 @@ internal object LightDeviations {
             found += Deviation(mistake, light.name, fit, difference)
         }
         if (study.normalsMoved) add(Mistake.NORMAL_MATRIX, placement.error)
-        if (!placement.isConsistent) {
-            add(
-                if (placement.path ==
-                    NormalPath.VIEW
-                ) {
-                    Mistake.TO_LIGHT_WORLD
-                } else {
-                    Mistake.NORMAL_MATRIX
-                },
-                placement.error,
-            )
-        }
+        if (!placement.isConsistent) add(alone(light, placement), placement.error)
         if (RefFinder(light.probe.slot.name, study).detour(placement.view) != null) add(Mistake.TO_LIGHT_WORLD, placement.error)
         if (placement.isFlipped) add(Mistake.LIGHT_VECTOR_SIGN, light.cosineError)
         if (light.unclamped) add(Mistake.CLAMP_MISSING, light.cosineError)
@@ -56,6 +45,20 @@ internal object LightDeviations {
         }
         return found + HighlightDeviations.of(light, study)
     }
+
+    /**
+     * Which is in a space of its own, the normal or the vector to the light: where the one to the eye is in the light's space, the normal.
+     * Where nothing tells, a normal in view space is where the sheet wants it.
+     */
+    private fun alone(
+        light: LightModel,
+        placement: Placement,
+    ): Mistake =
+        if (placement.path == NormalPath.VIEW && light.highlight?.fit?.eye != EyeVector.RIGHT) {
+            Mistake.TO_LIGHT_WORLD
+        } else {
+            Mistake.NORMAL_MATRIX
+        }
 
     /** Without a diffuse term there is nothing to place a light by: that is said once, of the program. */
     private fun unplaced(

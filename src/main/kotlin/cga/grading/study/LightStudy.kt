@@ -101,11 +101,13 @@ internal class LightStudy(
         val axes = search.axes.flatMap { listOf(it, Vector3d(it).negate()) }.map { placement.directionFromView(it).normalize() }
         val seen = ConeFit.of(amplitudes, lit, axes)
         val straight = AttenuationFit.of(amplitudes, seen?.brightest)
-        val elsewhere = if (straight.error > AttenuationFit.ACCEPTED) AttenuationFit.fromElsewhere(amplitudes, search.hints) else null
-        val attenuation = elsewhere ?: straight
+        val isOdd = straight.error > AttenuationFit.ACCEPTED
+        val elsewhere = if (isOdd) AttenuationFit.fromElsewhere(amplitudes, search.hints) else null
+        val beam = if (isOdd && elsewhere == null) StrayBeam.of(amplitudes, lit, axes, search.hints) else null
+        val attenuation = beam?.attenuation ?: elsewhere ?: straight
         // Around a place that distances are not measured from, a light without a cone is uneven, too.
-        val cone = if (elsewhere == null) seen else null
-        val inside = inside(placement, cone)
+        val cone = if (elsewhere == null) beam?.cone ?: seen else null
+        val inside = inside(beam?.amplitudes?.placement ?: placement, cone)
         return LightModel(
             probe = probe,
             placement = placement,
@@ -117,7 +119,7 @@ internal class LightStudy(
             cone = cone,
             highlight = HighlightStudy(probe.shine, roles, amplitudes, attenuation, cone, inside, random).highlight(),
             diffuseInterpolation = if (roles.diffuse != null) InterpolationTest.of(probe, placement, inside, roles.onlyDiffuse) else null,
-            otherDirection = elsewhere != null || diffuse != null,
+            otherDirection = elsewhere != null || beam != null || diffuse != null,
             isFromEye = (diffuse ?: placement).view.length() < APART,
             specularInterpolation = if (roles.specular !=
                 null

@@ -47,6 +47,10 @@ internal class Placement(
     /** The light in view space. */
     val view: Vector3d get() = fromSpace.transformPosition(light, Vector3d())
 
+    /** The same with the light at [view] in view space. */
+    fun movedTo(view: Vector3dc): Placement =
+        Placement(spaces, space, path, toSpace.transformPosition(view, Vector3d()), isFlipped, error)
+
     /** From [sample] to the light, in [space]. */
     fun toLight(p: Vector3dc): Vector3d = Vector3d(light).sub(toSpace.transformPosition(p, Vector3d()))
 

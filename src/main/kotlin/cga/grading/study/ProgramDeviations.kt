@@ -47,13 +47,17 @@ internal object ProgramDeviations {
 
     private fun emission(study: ProgramStudy): List<Deviation> =
         when (study.emission.form) {
-            EmissionForm.TINTED -> emptyList()
+            EmissionForm.TINTED ->
+                if (isRepeated(study)) listOf(Deviation(Mistake.UNKNOWN, "", 0.0, 1.0, check = Check.EMISSION)) else emptyList()
             EmissionForm.ALL_TINTED -> listOf(Deviation(Mistake.COLOR_ON_EVERYTHING, "", 0.0, 1.0))
             EmissionForm.ADDED -> listOf(Deviation(Mistake.EMISSION_COLOR_ADDED, "", 0.0, 1.0))
             EmissionForm.UNTINTED -> listOf(Deviation(Mistake.EMISSION_COLOR_IGNORED, "", 0.0, 1.0))
             EmissionForm.MULTIPLIED -> listOf(Deviation(Mistake.EMISSION_MULTIPLIED, "", 0.0, 1.0))
             EmissionForm.MISSING -> listOf(Deviation(Mistake.EMISSION_MISSING, "", 0.0, 1.0))
         }
+
+    /** Whether the emission comes in with every light, and not once. */
+    fun isRepeated(study: ProgramStudy): Boolean = study.emission.isForEach(study.lights.size, study.lights.count { it.cone == null })
 
     private fun view(study: ProgramStudy): List<Deviation> {
         val scale = study.box.spaces.view?.scale() ?: return emptyList()

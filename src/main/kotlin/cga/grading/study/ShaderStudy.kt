@@ -9,6 +9,7 @@ import cga.grading.findings.Measured
 import cga.grading.findings.Mistake
 import cga.grading.findings.Plot
 import cga.grading.scene.ObservedFrame
+import kotlin.math.roundToInt
 
 /**
  * What the shaders of a submission compute, found out by running them: no name in them is relied on.
@@ -72,6 +73,9 @@ public class ShaderStudy private constructor(
             }
             // What stands in for shaders that do not compile is not the submission's.
             val own = studies.filterKeys { !capture.programs[it].substituted }.values
+            own.filter(ProgramDeviations::isRepeated).forEach {
+                notes += "The emission is added ${it.emission.strength.roundToInt()} times, as if once for each light; wanted: once."
+            }
             val mistakes = own.flatMap { ProgramDeviations.of(it) }.distinctBy { it.mistake }
             val unknown = own.flatMap { ProgramDeviations.unnamed(it) }
             val checks = StudyChecks.of(own, mistakes, unknown)

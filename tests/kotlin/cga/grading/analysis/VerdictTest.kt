@@ -8,6 +8,7 @@ import cga.grading.findings.Mistake
 import cga.grading.rubric.CheckState
 import cga.grading.rubric.Grade
 import cga.grading.rubric.Rubric
+import cga.grading.rubric.spoiltBy
 import cga.grading.scene.SceneJudge
 import cga.grading.scene.SceneVerdict
 import org.junit.jupiter.api.Assertions.assertEquals
@@ -124,6 +125,15 @@ class VerdictTest {
         assertEquals(listOf(Mistake.ATTENUATION_OTHER_K), Verdict.of(shading(), other).names())
         // The form is what the study measures.
         assertEquals(emptyList<Mistake>(), Verdict.of(shading(), scene(found(Mistake.ATTENUATION_MISSING, "a"))).names())
+    }
+
+    @Test
+    fun `the K of a light that fades in an unknown way is nothing to name, that of another is`() {
+        val errors = mapOf(Check.DIFFUSE to 0.0, Check.ATTENUATION_FORM to 1.0)
+        val unknown = shading(found(Mistake.UNKNOWN, "a, b", spoiltBy(Check.ATTENUATION_FORM)), errors = errors)
+        val same = Verdict.of(unknown, scene(found(Mistake.ATTENUATION_OTHER_K, "a")))
+        assertEquals(listOf(Mistake.UNKNOWN) to setOf(Check.ATTENUATION_FORM), same.names() to same.costs())
+        assertTrue(Mistake.ATTENUATION_OTHER_K in Verdict.of(unknown, scene(found(Mistake.ATTENUATION_OTHER_K, "a and c"))).names())
     }
 
     @Test

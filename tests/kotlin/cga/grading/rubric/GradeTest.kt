@@ -50,6 +50,25 @@ class GradeTest {
     }
 
     @Test
+    fun `other constants cost the light that has them, and only the first of two`() {
+        val other = found(Mistake.ATTENUATION_OTHER_K)
+        val spot = grade(mapOf(Check.ATTENUATION_SPOT to 0.5), other)
+        assertEquals(CheckState.RIGHT to CheckState.MISTAKE, spot.of(Check.ATTENUATION_POINT).state to spot.of(Check.ATTENUATION_SPOT).state)
+        val both = grade(mapOf(Check.ATTENUATION_POINT to 0.5, Check.ATTENUATION_SPOT to 0.5), other)
+        assertEquals(CheckState.MISTAKE to CheckState.EXPLAINED, both.of(Check.ATTENUATION_POINT).state to both.of(Check.ATTENUATION_SPOT).state)
+    }
+
+    @Test
+    fun `something unknown costs by its size, and what it is known to spoil is not charged again`() {
+        val errors = mapOf(Check.SPECULAR to 1.0, Check.HALF_VECTOR to 1.0)
+        val spoilt = grade(errors, found(Mistake.UNKNOWN, spoiltBy(Check.SPECULAR)))
+        assertEquals(CheckState.INEXACT to CheckState.EXPLAINED, spoilt.of(Check.SPECULAR).state to spoilt.of(Check.HALF_VECTOR).state)
+        assertEquals(CheckState.INEXACT, grade(errors, found(Mistake.UNKNOWN)).of(Check.HALF_VECTOR).state)
+        val blind = grade(errors, found(Mistake.UNKNOWN, spoiltBy(Check.SPECULAR)), without = setOf(Check.HALF_VECTOR))
+        assertEquals(CheckState.OPEN, blind.of(Check.HALF_VECTOR).state)
+    }
+
+    @Test
     fun `what the mistake does not disturb is charged by its size`() {
         val grade = grade(mapOf(Check.ORBIT_FACTOR to 0.26, Check.CONE to 2.0), found(Mistake.CONE_INSIDE_OUT))
         // Half-way between the tolerance 0.02 and the zero 0.5.

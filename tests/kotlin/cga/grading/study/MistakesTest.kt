@@ -11,6 +11,7 @@ import org.junit.jupiter.api.DynamicTest
 import org.junit.jupiter.api.DynamicTest.dynamicTest
 import org.junit.jupiter.api.TestFactory
 import org.junit.jupiter.api.extension.ExtendWith
+import kotlin.math.cos
 
 @ExtendWith(Offscreen::class)
 class MistakesTest {
@@ -42,6 +43,37 @@ class MistakesTest {
         name: String,
         vararg replaced: Pair<String, Any>,
     ) = Case(name, setOfNotNull(mistake), sent = { _, it -> it + replaced })
+
+    /** A direction of another length, which nobody normalises. */
+    private fun axis(
+        name: String,
+        length: Double,
+        inner: Double,
+        outer: Double,
+    ) = Case(
+        name,
+        setOf(Mistake.UNKNOWN),
+        fragment = CourseShaders.FRAGMENT.edited("normalize(spotLightDirection)", "spotLightDirection"),
+        sent = { _, it ->
+            it + mapOf(
+                "spotLightDirection" to scene.viewedDirection(scene.spotDirection).mul(length),
+                "spotInner" to Math.toRadians(inner),
+                "spotOuter" to Math.toRadians(outer),
+            )
+        },
+    )
+
+    /** Cosines of degrees, sent to a shader that compares cosines. */
+    private fun degrees(
+        name: String,
+        inner: Double,
+        outer: Double,
+    ) = Case(
+        name,
+        setOf(Mistake.DEGREES_FOR_RADIANS),
+        fragment = CourseShaders.FRAGMENT.edited("cos(spotInner)", "spotInner").edited("cos(spotOuter)", "spotOuter"),
+        sent = { _, it -> it + mapOf("spotInner" to cos(inner), "spotOuter" to cos(outer)) },
+    )
 
     private val mistakes =
         listOf(
@@ -248,6 +280,14 @@ class MistakesTest {
                 "later light with the first one's colour",
                 "* cornerLightColor" to "* pointLightColor",
             ),
+            fragment(Mistake.UNKNOWN, "the cone twice", "return clamp((theta - outer) / (inner - outer), 0.0, 1.0);" to
+                "return pow(clamp((theta - outer) / (inner - outer), 0.0, 1.0), 2.0);"),
+            fragment(Mistake.UNKNOWN, "F twice", "return 1.0 / (k.x + k.y * d + k.z * d * d);" to
+                "return pow(k.x + k.y * d + k.z * d * d, -2.0);"),
+            axis("an axis that is too short for full light", 0.95, 12.5, 25.0),
+            axis("an axis that is too long", 1.05, 30.0, 50.0),
+            degrees("cosines of degrees", 15.0, 28.0),
+            fragment(Mistake.UNKNOWN, "a later light with the first one's distance", "attenuate(dc," to "attenuate(dp,"),
             fragment(Mistake.PHONG_LEFT, "Phong", "dot(n, h)" to "dot(reflect(-l, n), v)"),
             fragment(Mistake.HALF_VECTOR_NOT_NORMALIZED, "half vector not normalised", "normalize(l + v)" to "l + v"),
             fragment(Mistake.HALF_VECTOR_NOT_NORMALIZED, "half vector as the mean", "normalize(l + v)" to "(l + v) / 2.0"),

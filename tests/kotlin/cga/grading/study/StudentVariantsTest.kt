@@ -38,6 +38,10 @@ class StudentVariantsTest {
                 "vec3 h = normalize(l + v);" to "if (cosAlpha <= 0.0) return vec3(0.0);\nvec3 h = normalize(l + v);",
             ),
             fragment(
+                "colour and constants times two",
+                sent = mapOf("spotLightColor" to Vector3d(4.0, 4.0, 3.6), "spotLightAttenuation" to Vector3d(1.0, 0.1, 0.02)),
+            ),
+            fragment(
                 "nothing beyond a step",
                 "return clamp((theta - outer) / (inner - outer), 0.0, 1.0);" to
                     "return step(outer, theta) * min((theta - outer) / (inner - outer), 1.0);",

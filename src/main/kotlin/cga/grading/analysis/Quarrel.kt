@@ -50,9 +50,17 @@ internal class Quarrel(
                             (found.mistake != Mistake.CONE_NEVER_SENT && shadingVerdict[Check.CONE].isRight())
                     )
             in FORM -> shadingVerdict[Check.ATTENUATION_FORM]?.error != null
-            in K -> shading.any { it.mistake in SPOILS_K }
+            in K -> shading.any { it.mistake in SPOILS_K || isUnknownLaw(it, found) }
             else -> false
         }
+
+    /** Whether [unknown] says of all the lights of [found] that they fade in a way that no K describes. */
+    private fun isUnknownLaw(
+        unknown: Found,
+        found: Found,
+    ) = unknown.mistake == Mistake.UNKNOWN &&
+        unknown.explains.orEmpty().contains(found.mistake.check) &&
+        found.where.split(" and ").all { it in lights(unknown) }
 
     /** Round angles among the numbers sent tell a cosine of a cosine from a cone turned inside out. */
     private fun breaksTie(found: Found): Boolean =

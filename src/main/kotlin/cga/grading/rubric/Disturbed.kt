@@ -83,3 +83,17 @@ internal fun disturbedBy(mistake: Mistake): Set<Check> =
         Mistake.LATER_LIGHTS_FIRST_COSINE, Mistake.LATER_LIGHTS_FIRST_COLOR -> setOf(CONE_SPECULAR, HALF_VECTOR)
         Mistake.KOTLIN_REFUSED, Mistake.UNKNOWN -> emptySet()
     }
+
+/** The checks that [mistake] may belong to, by which of the lights has it; that of its nature first. */
+internal fun homesOf(mistake: Mistake): List<Check> =
+    if (mistake == Mistake.ATTENUATION_OTHER_K) listOf(ATTENUATION_POINT, ATTENUATION_SPOT) else listOf(mistake.check)
+
+/** The checks that measure something else than they should where [check] is wrong in a way that has no name. */
+internal fun spoiltBy(check: Check): Set<Check> =
+    when (check) {
+        DIFFUSE -> ATTENUATION + MORE_LIGHTS_SHADING
+        SPECULAR -> HIGHLIGHT - SPECULAR
+        CONE -> setOf(SPOT_LIGHT, CONE_SPECULAR, ATTENUATION_SPOT)
+        ATTENUATION_FORM -> setOf(ATTENUATION_POINT, ATTENUATION_SPOT, CONE_SPECULAR, MORE_LIGHTS_SHADING)
+        else -> emptySet()
+    }

@@ -11,14 +11,14 @@ import kotlin.math.floor
  * The points of one submission. A defect costs once, where it belongs:
  *
  * 1. A mistake with a name costs the check that it belongs to, by the share of the rubric; the same mistake twice, or two mistakes of one
- *    check, cost it once.
+ *    check, cost it once. Of a mistake that may belong to several, the first of them that is not right is meant.
  * 2. What that mistake is known to explain keeps its points, found or not ([Found.explains], where the analysis determined it).
  * 3. What was not measured stays open: a person looks. What the submission does not have earns nothing.
  * 4. An error within the tolerance earns all points.
  * 5. A larger one costs nothing either where a mistake that was charged elsewhere disturbs this check by its nature or draws the same
  *    picture as one of this check; else it costs by its size.
  *
- * [Mistake.UNKNOWN] is no name: it neither costs nor explains anything, and the errors speak for themselves.
+ * [Mistake.UNKNOWN] is no name: it costs nothing and explains what the analysis determined; else the errors speak for themselves.
  */
 public class Grade private constructor(
     public val tasks: List<TaskGrade>,
@@ -36,12 +36,19 @@ public class Grade private constructor(
         /** The points that [findings] earn by [rubric]. */
         public fun of(findings: Findings, rubric: Rubric): Grade {
             val measured = findings.checks.associateBy { it.check }
-            val mistakes = findings.mistakes.filter { it.mistake != Mistake.UNKNOWN }
-            val grades = Check.entries.map { grade(it, measured[it], mistakes, rubric) }
+            val homes = findings.mistakes.associateWith { home(it, measured, rubric) }
+            val grades = Check.entries.map { grade(it, measured[it], homes, rubric) }
             return Grade(grades.groupBy { it.check.task }.map { (task, checks) -> TaskGrade(task, checks) })
         }
 
-        private fun grade(check: Check, measured: Measured?, mistakes: List<Found>, rubric: Rubric): CheckGrade {
+        /** The check that [found] costs; null for one that has no name. */
+        private fun home(found: Found, measured: Map<Check, Measured>, rubric: Rubric): Check? {
+            if (found.mistake == Mistake.UNKNOWN) return null
+            val homes = homesOf(found.mistake)
+            return homes.find { check -> (measured[check]?.error ?: 0.0) > rubric.rule(check).tolerance } ?: homes.first()
+        }
+
+        private fun grade(check: Check, measured: Measured?, homes: Map<Found, Check?>, rubric: Rubric): CheckGrade {
             val rule = rubric.rule(check)
 
             fun result(state: CheckState, share: Double?, cause: Mistake? = null) =
@@ -54,10 +61,11 @@ public class Grade private constructor(
                     },
                     measured?.error, cause, measured?.text.orEmpty(),
                 )
-            val own = mistakes.filter { it.mistake.check == check }.map { it.mistake }.maxByOrNull(rubric::cost)
-            val others = mistakes.filter { it.mistake.check != check }
+            val own = homes.filterValues { it == check }.keys.map { it.mistake }.maxByOrNull(rubric::cost)
+            val others = homes.filterValues { it != check }.keys
             val error = measured?.error
-            val explanation = others.find { it.explains?.contains(check) == true }
+            // What nobody knows the nature of may be worse than it shows: what was not measured beside it is open.
+            val explanation = others.find { it.explains?.contains(check) == true && (it.mistake != Mistake.UNKNOWN || error != null) }
             return when {
                 own != null -> result(CheckState.MISTAKE, 1 - rubric.cost(own), own)
                 explanation != null && !(error != null && error <= rule.tolerance) -> result(CheckState.EXPLAINED, 1.0, explanation.mistake)

@@ -5,6 +5,7 @@ import org.joml.Vector3dc
 import kotlin.math.abs
 import kotlin.math.exp
 import kotlin.math.ln
+import kotlin.math.sqrt
 import kotlin.random.Random
 
 /**
@@ -14,6 +15,7 @@ import kotlin.random.Random
  * @param error largest difference from the fit, relative to the strength there.
  * @param from where the distances are measured from in view space, where that is not the place that the directions come from.
  * @param growing whether the strength is that of a direction of length d: never normalised.
+ * @param isTwice whether the strength is the square of the factor with this K.
  */
 internal class AttenuationFit(
     val k: Vector3dc,
@@ -22,12 +24,13 @@ internal class AttenuationFit(
     val distances: DoubleArray,
     val strengths: DoubleArray,
     val from: Vector3dc? = null,
+    val isTwice: Boolean = false,
 ) {
     val isConstant: Boolean get() = k.y() == 0.0 && k.z() == 0.0
     val isLinear: Boolean get() = k.z() == 0.0 && k.y() > 0
 
-    /** F at the distance [d]. */
-    fun factor(d: Double): Double = (if (growing) d else 1.0) / (k.x() + k.y() * d + k.z() * d * d)
+    /** The strength at the distance [d]. */
+    fun factor(d: Double): Double = ((if (growing) d else 1.0) / (k.x() + k.y() * d + k.z() * d * d)).let { if (isTwice) it * it else it }
 
     companion object {
         /** Looks along [axis] (in the placement's space), or into many directions where a light has none. */
@@ -40,7 +43,18 @@ internal class AttenuationFit(
             val points = distances.map { d -> amplitudes.placement.at(Vector3d(axis ?: Directions.random(random)).mul(d)) }
             val strengths = amplitudes.at(points)
             val right = of(distances, strengths, growing = false)
-            return if (right.error < ACCEPTED) right else listOf(right, of(distances, strengths, growing = true)).minBy { it.error }
+            if (right.error < ACCEPTED) return right
+            return listOf(right, of(distances, strengths, growing = true), twice(distances, strengths)).minBy { it.error }
+        }
+
+        /** The law whose square the [strengths] are; none of a law with negative terms, which a square may well look like. */
+        private fun twice(
+            distances: DoubleArray,
+            strengths: DoubleArray,
+        ): AttenuationFit {
+            val root = of(distances, DoubleArray(strengths.size) { sqrt(strengths[it]) }, growing = false)
+            val error = if (minOf(root.k.x(), root.k.y(), root.k.z()) < 0) 1.0 else 2 * root.error
+            return AttenuationFit(root.k, error, growing = false, distances, strengths, isTwice = true)
         }
 
         /**

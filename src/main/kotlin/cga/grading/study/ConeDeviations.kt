@@ -9,12 +9,16 @@ import kotlin.math.round
 
 /** What is wrong with a light's cone. */
 internal object ConeDeviations {
-    private val BENT = setOf(Falloff.SMOOTH, Falloff.IN_ANGLE, Falloff.OTHER)
+    private val BENT = setOf(Falloff.SMOOTH, Falloff.IN_ANGLE, Falloff.POWER, Falloff.OTHER)
 
-    /** The mistakes in the cone of [light]; [numbers] are all that uniforms hold. */
+    /** These tell nothing of the angle that they were made of. */
+    private val COSINES = setOf(AngleForm.COSINE, AngleForm.VERSINE)
+
+    /** The mistakes in the cone of [light]; [numbers] are all that uniforms hold, [lengths] those of the vectors along its axis. */
     fun of(
         light: LightModel,
         numbers: Collection<Double>,
+        lengths: Collection<Double> = emptyList(),
     ): List<Deviation> {
         val cone = light.cone ?: return emptyList()
 
@@ -28,21 +32,29 @@ internal object ConeDeviations {
         val cosDark = if (isInverted) -cone.cosOuter else cone.cosOuter
         val words = ConeWords.of(cosFull, cosDark, numbers) ?: ConeWords.of(-cosFull, -cosDark, numbers)
         val values = words?.let(::valueMistake)
+        val length = if (words == null) AxisLength.of(cone, numbers, lengths) else null
         return when {
             cone.falloff == Falloff.HARD -> found(Mistake.CONE_HARD_EDGE)
             cone.falloff == Falloff.COSINE_TWICE -> found(Mistake.COSINE_OF_COSINE)
             values != null -> found(values)
+            length != null -> listOf(unknown(light, cone, 1.0, AxisLength.text(length)))
             words == null && areDegrees(cone) && !looksChosen(cone) -> found(Mistake.DEGREES_FOR_RADIANS)
+            words?.form in COSINES && cone.outer > WIDE && areDegrees(cone) && !looksChosen(cone) -> found(Mistake.DEGREES_FOR_RADIANS)
             cone.falloff == Falloff.UNCLAMPED -> found(Mistake.CONE_CLAMP_MISSING)
             cone.falloff == Falloff.UNCLAMPED_ABOVE && !startsAtAxis(light, numbers) -> found(Mistake.CONE_CLAMP_MISSING)
             words == null && areCosines(cosFull, cosDark) -> found(Mistake.COSINE_OF_COSINE)
             isInverted -> found(Mistake.CONE_INSIDE_OUT)
-            cone.falloff in BENT -> listOf(
-                Deviation(Mistake.UNKNOWN, light.name, 1.0, cone.error, check = Check.CONE),
-            )
+            cone.falloff in BENT -> listOf(unknown(light, cone, cone.error, BEND[cone.falloff].orEmpty()))
             else -> emptyList()
         }
     }
+
+    private fun unknown(
+        light: LightModel,
+        cone: ConeFit,
+        difference: Double,
+        why: String,
+    ) = Deviation(Mistake.UNKNOWN, light.name, cone.residual, difference, check = Check.CONE, why = why)
 
     private fun areDegrees(cone: ConeFit) =
         ConeWords.areDegreesInRadians(cone.inner, cone.outer) || ConeWords.areDegreesInRadians(PI - cone.inner, PI - cone.outer)
@@ -89,6 +101,16 @@ internal object ConeDeviations {
         val k = light.attenuation?.k ?: return false
         return listOf(k.x(), k.y(), k.z()).filter { it > 0 }.all { part -> numbers.any { abs(it - part) < 1e-4 * part } }
     }
+
+    private val BEND =
+        mapOf(
+            Falloff.SMOOTH to "between the cones the light fades by smoothstep",
+            Falloff.IN_ANGLE to "between the cones the light fades with the angle, not with its cosine",
+            Falloff.POWER to "between the cones the light fades with a power of the sheet's I",
+        )
+
+    /** Radians: wider than any headlight. */
+    private const val WIDE = PI / 4
 
     /** Degrees: an edge found to 1e-6 as a cosine is found to some 1e-5 as the angle whose cosine it is; two meet it by chance once in 600. */
     private const val WHOLE = 0.02

@@ -20,6 +20,9 @@ internal enum class Falloff {
 
     /** Linear in the cosine of the angle's cosine. */
     COSINE_TWICE,
+
+    /** A power of what is linear in the cosine: multiplied by itself, or the exponent of an older kind of spotlight. */
+    POWER,
     OTHER,
 }
 
@@ -47,9 +50,15 @@ internal class ConeFit(
 
     private val isLitAtAxis: Boolean get() = intensities[0] > 0.5
 
-    /** A direction in which it shines fully: its axis, unless it is dark there. */
+    /**
+     * A direction in which it shines fully: beside its axis, unless it is dark there. On the axis itself a rounded cosine may be larger
+     * than 1, and its angle no number.
+     */
     val brightest: Vector3dc
-        get() = if (isLitAtAxis) axis else Directions.around(axis, thetas[intensities.indices.maxBy { intensities[it] }], 0.7)
+        get() {
+            val theta = if (isLitAtAxis) minOf(inner / 4, BESIDE) else thetas[intensities.indices.maxBy { intensities[it] }]
+            return Directions.around(axis, theta, 0.7)
+        }
 
     /** I where the cosine to the axis is [cosine]. */
     fun intensity(cosine: Double): Double = ((cosine - cosOuter) / (cosInner - cosOuter)).coerceIn(0.0, 1.0)
@@ -75,8 +84,9 @@ internal class ConeFit(
             }
             // What is the same on both sides of the axis leads no search to it.
             val all = hints.mapNotNull(search::about) + listOfNotNull(best)
-            // The same cone may be described from its dark side.
-            return all.filter { it.residual < GOOD && it.isLitAtAxis }.minByOrNull { it.residual } ?: all.minByOrNull { it.residual }
+            // The same cone may be described from its dark side; of shapes that nothing describes that says less.
+            val good = all.filter { it.residual < GOOD }.ifEmpty { all }
+            return good.filter { it.isLitAtAxis }.minByOrNull { it.residual } ?: good.minByOrNull { it.residual }
         }
 
         private fun centroid(
@@ -100,6 +110,9 @@ internal class ConeFit(
         private const val COARSE = 500
         private const val EVEN = 1e-4
         private const val GOOD = 1e-2
+
+        /** Radians. */
+        private const val BESIDE = 0.02
     }
 }
 

@@ -98,6 +98,7 @@ internal class ConeShape(
                 return ConeShape((1 - fit.second) / fit.first, -fit.second / fit.first, high, Falloff.SMOOTH, error, residual = 0.0)
             }
             return bent(partial.map { angles[it] }, partial.map { values[it] }, low, high, misfit)
+                ?: ConePower.of(cosines, partial.map { values[it] }, low, high)
                 ?: ConeShape((high - offset) / slope, (dark - offset) / slope, high, Falloff.OTHER, misfit)
         }
 
@@ -133,7 +134,8 @@ internal class ConeShape(
             return angles[at - 1] to angles[at]
         }
 
-        private fun line(
+        /** Slope and offset of the line through [y] over [x]; null where all x are one. */
+        fun line(
             x: List<Double>,
             y: List<Double>,
         ): Pair<Double, Double>? {
@@ -152,7 +154,9 @@ internal class ConeShape(
 
         private const val ENOUGH = 6
         private const val ZOOMS = 8
-        private const val STRAIGHT = 2e-3
+
+        /** What a straight line may leave, relative to the range of what it describes. */
+        const val STRAIGHT: Double = 2e-3
         private const val ROUNDING = 2.4e-7
         private const val SMOOTH = 1e-2
     }

@@ -10,6 +10,7 @@ import cga.grading.findings.Mistake
  * @param fit what the hypothesis leaves unexplained, relative; 0 is all explained.
  * @param difference how far this is from right, relative: 1 is all of it.
  * @param check what it costs; of something unknown where it was seen.
+ * @param why what is known of something that has no name, as a sentence.
  */
 internal class Deviation(
     val mistake: Mistake,
@@ -18,4 +19,5 @@ internal class Deviation(
     val difference: Double,
     val alternatives: List<Mistake> = emptyList(),
     val check: Check = mistake.check,
+    val why: String = "",
 )

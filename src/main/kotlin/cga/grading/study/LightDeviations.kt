@@ -39,9 +39,9 @@ internal object LightDeviations {
                 ),
             )
         }
-        attenuation(light)?.let { (mistake, fit) ->
-            found +=
-                Deviation(mistake, light.name, fit, 1.0, check = attenuationCheck(light, mistake))
+        attenuation(light, study)?.let { (mistake, fit) ->
+            val why = if (mistake == Mistake.UNKNOWN) attenuationText(light, study) else ""
+            found += Deviation(mistake, light.name, fit, 1.0, check = attenuationCheck(light, mistake), why = why)
         }
         return found + HighlightDeviations.of(light, study)
     }
@@ -89,12 +89,28 @@ internal object LightDeviations {
         mistake: Mistake,
     ) = if (mistake == Mistake.UNKNOWN && !light.isFromEye) Check.ATTENUATION_FORM else mistake.check
 
-    private fun attenuation(light: LightModel): Pair<Mistake, Double>? {
+    private fun attenuationText(
+        light: LightModel,
+        study: ProgramStudy,
+    ): String {
+        val copied = study.distanceOf(light)
+        return when {
+            copied != null -> "it fades with the distance of ${copied.name}"
+            light.attenuation?.isTwice == true -> "it fades with the square of F"
+            else -> ""
+        }
+    }
+
+    private fun attenuation(
+        light: LightModel,
+        study: ProgramStudy,
+    ): Pair<Mistake, Double>? {
         val fit = light.attenuation ?: return null
         return when {
             light.otherDirection && light.isFromEye -> Mistake.UNKNOWN to fit.error
+            study.distanceOf(light) != null -> Mistake.UNKNOWN to fit.error
             light.otherDirection -> Mistake.LATER_LIGHTS_FIRST_COSINE to fit.error
-            fit.error > AttenuationFit.ACCEPTED -> Mistake.UNKNOWN to fit.error
+            fit.error > AttenuationFit.ACCEPTED || fit.isTwice -> Mistake.UNKNOWN to fit.error
             fit.growing -> Mistake.TO_LIGHT_NOT_NORMALIZED to fit.error
             isAtLengthOne(light) -> null
             fit.isConstant -> Mistake.ATTENUATION_MISSING to fit.error

@@ -59,7 +59,7 @@ internal class VectorRef(
  * A light in terms of uniforms, so that it can be told for every draw without measuring again.
  *
  * @param scale what the colour is multiplied with: an intensity.
- * @param meter of a colour that no uniform holds.
+ * @param meter of a colour that no uniform holds, [axisMeter] of a direction that none does.
  */
 internal class LightRefs(
     private val name: String,
@@ -69,6 +69,7 @@ internal class LightRefs(
     private val k: List<NumberRef>,
     private val cone: ConeRefs?,
     private val meter: ColorMeter? = null,
+    private val axisMeter: AxisMeter? = null,
 ) {
     /** The direction of a cone and what makes its edges. */
     internal class ConeRefs(
@@ -88,7 +89,7 @@ internal class LightRefs(
         val c = values[color] ?: FloatArray(3)
         val place = position.position(values, view)
         val law = Vector3d(k[0].of(values), k[1].of(values), k[2].of(values))
-        val axis = cone?.direction?.direction(values, view)
+        val axis = axisMeter?.axis(values, spaces, place) ?: cone?.direction?.direction(values, view)
         return ObservedLight(
             name = name,
             position = place,
@@ -137,9 +138,11 @@ internal class LightRefs(
             val slot = light.probe.slot
             val roles = study.roles
             val meter = if (roles == null || slot !in study.box.program.deep) null else ColorMeter(study, slot, roles.onlyDiffuse)
-            // Where the distances are measured from the light is, whatever the directions say: those are a defect of their own.
-            val place = Vector3d(light.attenuation?.from ?: placement.view)
-            return listOf(LightRefs(light.name, slot.name, scale, finder.position(place), k, cone, meter))
+            // Where the distances are measured from the light is, whatever the directions say, unless another light is there: one of both is
+            // a defect of its own.
+            val place = Vector3d(light.attenuation?.from?.takeIf { study.distanceOf(light) == null } ?: placement.view)
+            val axisMeter = if (cone?.direction?.name == null) AxisMeter.of(light, study) else null
+            return listOf(LightRefs(light.name, slot.name, scale, finder.position(place), k, cone, meter, axisMeter))
         }
 
         /** All that can be said of a light that is somewhere: nothing of its K. */

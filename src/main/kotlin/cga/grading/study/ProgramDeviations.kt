@@ -3,14 +3,19 @@ package cga.grading.study
 import cga.grading.findings.Check
 import cga.grading.findings.Found
 import cga.grading.findings.Mistake
+import cga.grading.rubric.spoiltBy
 
 /** All that is wrong with what a program computes. */
 internal object ProgramDeviations {
-    /** The mistakes found, each once with all the lights that have it; the first explain most. */
+    /**
+     * The mistakes found, each once with all the lights that have it; the first explain most. What has no name explains what is measured
+     * by way of that which it spoils.
+     */
     fun of(study: ProgramStudy): List<Found> =
         all(study).groupBy { it.mistake }.map { (mistake, same) ->
             val where = same.map { it.light }.filter { it.isNotEmpty() }.distinct().joinToString(", ")
-            Found(mistake, same.maxOf { it.fit }, same.maxOf { it.difference }, where, same.first().alternatives)
+            val spoilt = if (mistake == Mistake.UNKNOWN) same.flatMap { spoiltBy(it.check) }.toSet() - same.map { it.check }.toSet() else null
+            Found(mistake, same.maxOf { it.fit }, same.maxOf { it.difference }, where, same.first().alternatives, spoilt)
         }
 
     /** What is wrong and has no name. */
@@ -30,8 +35,17 @@ internal object ProgramDeviations {
         if (light in study.coneless.forgotten || (study.isAwake && isMadeUp(light, sent))) {
             listOf(Deviation(Mistake.CONE_NEVER_SENT, light.name, 0.0, 1.0))
         } else {
-            ConeDeviations.of(light, sent)
+            ConeDeviations.of(light, sent, lengths(light, study))
         }
+
+    private fun lengths(
+        light: LightModel,
+        study: ProgramStudy,
+    ): List<Double> {
+        val cone = light.cone ?: return emptyList()
+        val axis = light.placement?.directionToView(cone.axis) ?: return emptyList()
+        return RefFinder(light.probe.slot.name, study).lengthsAlong(axis)
+    }
 
     /** Whether [light] has a cone of which nothing was sent: it is one of the values that had to be given to see any light. */
     private fun isMadeUp(

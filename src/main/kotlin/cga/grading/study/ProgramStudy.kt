@@ -4,6 +4,7 @@ import cga.framework.InputError
 import cga.grading.capture.Capture
 import cga.grading.capture.CapturedDraw
 import org.joml.Vector3d
+import org.joml.Vector3dc
 import org.lwjgl.opengl.GL33C.GL_FLOAT_MAT4
 import kotlin.random.Random
 
@@ -43,6 +44,20 @@ internal class ProgramStudy(
 
     private fun everShines(light: LightModel): Boolean =
         sent[light.probe.slot.name]?.any { value -> value.take(3).any { it != 0f } } ?: true
+
+    /** The other light whose distance [light] fades with, its own being somewhere else; null where it does not. */
+    fun distanceOf(light: LightModel): LightModel? {
+        val from = light.attenuation?.from ?: return null
+        val sound = lights.filter { it !== light && it.placement != null && it.attenuation?.from == null && !it.otherDirection }
+        // Two lights at one place: then it is the direction that is the other's.
+        if (sound.any { isAt(it, light.placement?.view ?: from) }) return null
+        return sound.firstOrNull { isAt(it, from) }
+    }
+
+    private fun isAt(
+        light: LightModel,
+        place: Vector3dc,
+    ) = light.placement?.view?.let { it.distance(place) < SAME } == true
 
     /** All numbers of vectors and scalars that were sent with the draw, none made up. */
     fun numbersSent(): List<Double> =
@@ -163,6 +178,8 @@ internal class ProgramStudy(
             studied: BlackBox,
         ) = SilentLights.zeros(box).any { studied.values[it.name]?.contentEquals(box.values[it.name]) == false }
 
+        /** View-space units. */
+        private const val SAME = 1e-2
         private const val SURFACE = 240
         private const val LONG = 1048576.0
     }

@@ -70,19 +70,22 @@ internal class RefFinder(
         )
     }
 
-    /** K and the factor that the colour has beside: K is only known up to such a factor, and values that were sent settle it, then Table 1. */
+    /**
+     * K and the factor that the colour has beside: a light is K only up to such a factor, for how bright it is is free. So a row of Table 1
+     * settles it where K is a multiple of one, whatever was sent for it; values that were sent do where it is of none.
+     */
     fun attenuation(k: Vector3dc): Pair<List<NumberRef>, Double> {
         val sent = slots.flatMap { slot -> values.getValue(slot.name).map { it.toDouble() } }.filter { it > 0 }.distinct()
         val first = (0..2).firstOrNull { k[it] > 0 } ?: return List(3) { NumberRef(null, 0, k[it]) } to 1.0
-        val scales = listOf(1.0) + sent.map { it / k[first] }.filter { it in 1e-3..1e3 } + TABLE.map { it[first] / k[first] }
+        val scales = listOf(1.0) + TABLE.map { it[first] / k[first] } + sent.map { it / k[first] }.filter { it in 1e-3..1e3 }
+
+        fun areSent(scale: Double) = (0..2).all { i -> k[i] == 0.0 || sent.any { isNear(it, scale * k[i]) } }
         val explained =
-            scales.firstOrNull { scale ->
-                (0..2).all { i -> k[i] == 0.0 || sent.any { isNear(it, scale * k[i]) } } &&
-                    (scale == 1.0 || !(k.y() == 0.0 && k.z() == 0.0))
-            }
-                ?: scales.firstOrNull { scale -> TABLE.any { row -> (0..2).all { isNear(row[it], scale * k[it]) } } }
+            scales.firstOrNull { scale -> TABLE.any { row -> (0..2).all { isNear(row[it], scale * k[it]) } } }
+                ?: scales.firstOrNull { scale -> areSent(scale) && (scale == 1.0 || !(k.y() == 0.0 && k.z() == 0.0)) }
                 ?: 1.0
-        return List(3) { number(explained * k[it]) } to explained
+        // One number that happens to be that of a colour would change with it.
+        return List(3) { (explained * k[it]).let { part -> if (areSent(explained)) number(part) else NumberRef(null, 0, part) } } to explained
     }
 
     /** The K among what was sent, or in Table 1, that adds up to [total]: 1/F at the distance 1. */
@@ -94,16 +97,29 @@ internal class RefFinder(
                 it.z >= 0
         }
 
-    private fun direction(axis: Vector3dc): VectorRef {
-        for (sent in vectors() + columns(*AXES)) {
-            if (!(sent.raw.length() > 0)) continue
-            val d = Vector3d(sent.raw).normalize()
-            for (factor in listOf(1.0, -1.0)) {
-                if (Vector3d(d).mul(factor).distance(axis) < 1e-3) return sent.ref(Space.VIEW, factor, axis)
-                val viewed = view?.transformDirection(d, Vector3d())?.normalize() ?: continue
-                if (viewed.mul(factor).distance(axis) < 1e-3) return sent.ref(Space.WORLD, factor, axis)
-            }
+    /** How long the vectors are that point along [axis] in view space, or against it; those of length 1 left out. */
+    fun lengthsAlong(axis: Vector3dc): List<Double> =
+        aimed(axis).map { it.raw.length() }.filter { abs(it - 1) > 1e-3 }.distinct().toList()
+
+    private fun aimed(axis: Vector3dc): Sequence<Sent> = (vectors() + columns(*AXES)).asSequence().filter { aim(it, axis) != null }
+
+    /** The space and the sign with which [sent] is [axis], but for its length; null where it is not. */
+    private fun aim(
+        sent: Sent,
+        axis: Vector3dc,
+    ): Pair<Space, Double>? {
+        if (!(sent.raw.length() > 0)) return null
+        val d = Vector3d(sent.raw).normalize()
+        val viewed = view?.transformDirection(d, Vector3d())?.normalize()
+        for (factor in listOf(1.0, -1.0)) {
+            if (Vector3d(d).mul(factor).distance(axis) < 1e-3) return Space.VIEW to factor
+            if (viewed != null && Vector3d(viewed).mul(factor).distance(axis) < 1e-3) return Space.WORLD to factor
         }
+        return null
+    }
+
+    private fun direction(axis: Vector3dc): VectorRef {
+        aimed(axis).firstOrNull()?.let { sent -> aim(sent, axis)?.let { (space, factor) -> return sent.ref(space, factor, axis) } }
         return if (view ==
             null
         ) {

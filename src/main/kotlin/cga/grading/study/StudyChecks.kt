@@ -80,9 +80,12 @@ internal object StudyChecks {
     ): Measured {
         val differences = named.map { it.difference } + unnamed.map { it.difference }
         val worst = differences.ifEmpty { errors }.maxOrNull()?.coerceAtMost(1.0)
-        val text = named.map { "${it.mistake.id} ${it.where}".trim() } + unnamed.map { "${it.mistake.id} ${it.light}".trim() }.distinct()
+        val text = named.map { "${it.mistake.id} ${it.where}".trim() } + unnamed.map(::text).distinct()
         return Measured(check, worst, if (text.isEmpty()) what else text.joinToString("; "))
     }
+
+    private fun text(unnamed: Deviation) =
+        if (unnamed.why.isEmpty()) "${unnamed.mistake.id} ${unnamed.light}".trim() else "${unnamed.light}: ${unnamed.why}"
 
     private fun interpolation(light: LightModel): List<Double> =
         listOfNotNull(light.diffuseInterpolation, light.specularInterpolation).flatMap { listOf(it.vectors, it.normals) }

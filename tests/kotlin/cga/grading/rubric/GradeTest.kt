@@ -52,10 +52,11 @@ class GradeTest {
     @Test
     fun `other constants cost the light that has them, and only the first of two`() {
         val other = found(Mistake.ATTENUATION_OTHER_K)
-        val spot = grade(mapOf(Check.ATTENUATION_SPOT to 0.5), other)
-        assertEquals(CheckState.RIGHT to CheckState.MISTAKE, spot.of(Check.ATTENUATION_POINT).state to spot.of(Check.ATTENUATION_SPOT).state)
-        val both = grade(mapOf(Check.ATTENUATION_POINT to 0.5, Check.ATTENUATION_SPOT to 0.5), other)
-        assertEquals(CheckState.MISTAKE to CheckState.EXPLAINED, both.of(Check.ATTENUATION_POINT).state to both.of(Check.ATTENUATION_SPOT).state)
+
+        fun states(vararg wrong: Check) =
+            grade(wrong.associateWith { 0.5 }, other).let { it.of(Check.ATTENUATION_POINT).state to it.of(Check.ATTENUATION_SPOT).state }
+        assertEquals(CheckState.RIGHT to CheckState.MISTAKE, states(Check.ATTENUATION_SPOT))
+        assertEquals(CheckState.MISTAKE to CheckState.EXPLAINED, states(Check.ATTENUATION_POINT, Check.ATTENUATION_SPOT))
     }
 
     @Test

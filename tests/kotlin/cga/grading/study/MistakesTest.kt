@@ -280,10 +280,17 @@ class MistakesTest {
                 "later light with the first one's colour",
                 "* cornerLightColor" to "* pointLightColor",
             ),
-            fragment(Mistake.UNKNOWN, "the cone twice", "return clamp((theta - outer) / (inner - outer), 0.0, 1.0);" to
-                "return pow(clamp((theta - outer) / (inner - outer), 0.0, 1.0), 2.0);"),
-            fragment(Mistake.UNKNOWN, "F twice", "return 1.0 / (k.x + k.y * d + k.z * d * d);" to
-                "return pow(k.x + k.y * d + k.z * d * d, -2.0);"),
+            fragment(
+                Mistake.UNKNOWN,
+                "the cone twice",
+                "return clamp((theta - outer) / (inner - outer), 0.0, 1.0);" to
+                    "return pow(clamp((theta - outer) / (inner - outer), 0.0, 1.0), 2.0);",
+            ),
+            fragment(
+                Mistake.UNKNOWN,
+                "F twice",
+                "return 1.0 / (k.x + k.y * d + k.z * d * d);" to "return pow(k.x + k.y * d + k.z * d * d, -2.0);",
+            ),
             axis("an axis that is too short for full light", 0.95, 12.5, 25.0),
             axis("an axis that is too long", 1.05, 30.0, 50.0),
             degrees("cosines of degrees", 15.0, 28.0),

@@ -14,9 +14,11 @@ internal object ProgramDeviations {
     fun of(study: ProgramStudy): List<Found> =
         all(study).groupBy { it.mistake }.map { (mistake, same) ->
             val where = same.map { it.light }.filter { it.isNotEmpty() }.distinct().joinToString(", ")
-            val spoilt = if (mistake == Mistake.UNKNOWN) same.flatMap { spoiltBy(it.check) }.toSet() - same.map { it.check }.toSet() else null
+            val spoilt = if (mistake == Mistake.UNKNOWN) spoilt(same.map { it.check }.toSet()) else null
             Found(mistake, same.maxOf { it.fit }, same.maxOf { it.difference }, where, same.first().alternatives, spoilt)
         }
+
+    private fun spoilt(seen: Set<Check>) = seen.flatMap(::spoiltBy).toSet() - seen
 
     /** What is wrong and has no name. */
     fun unnamed(study: ProgramStudy): List<Deviation> = all(study).filter { it.mistake == Mistake.UNKNOWN }

@@ -85,7 +85,8 @@ internal class RefFinder(
                 ?: scales.firstOrNull { scale -> areSent(scale) && (scale == 1.0 || !(k.y() == 0.0 && k.z() == 0.0)) }
                 ?: 1.0
         // One number that happens to be that of a colour would change with it.
-        return List(3) { (explained * k[it]).let { part -> if (areSent(explained)) number(part) else NumberRef(null, 0, part) } } to explained
+        val find: (Double) -> NumberRef = if (areSent(explained)) ::number else { part -> NumberRef(null, 0, part) }
+        return List(3) { find(explained * k[it]) } to explained
     }
 
     /** The K among what was sent, or in Table 1, that adds up to [total]: 1/F at the distance 1. */

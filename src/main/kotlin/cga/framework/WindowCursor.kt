@@ -75,8 +75,9 @@ internal class WindowCursor(
         has(GLFW_FOCUSED)
         glfwPollEvents()
         isSettling = false
-        if (isVisible) return
         glfwGetCursorPos(window, x, y)
+        // GLFW puts a cursor that is shown again back to where it was hidden, and does not tell.
+        if (isVisible) return move(x[0], y[0])
         originX = position.xpos - x[0] / scale
         originY = position.ypos - y[0] / scale
         moved()

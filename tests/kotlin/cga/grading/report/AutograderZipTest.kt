@@ -3,6 +3,7 @@ package cga.grading.report
 import cga.build.projectRoot
 import cga.framework.InputError
 import cga.grading.rubric.Rubric
+import cga.grading.starter.StarterFiles
 import kotlinx.serialization.json.Json
 import kotlinx.serialization.json.jsonObject
 import org.junit.jupiter.api.Assertions.assertEquals
@@ -42,7 +43,7 @@ class AutograderZipTest {
                 "build/cga/lib/lwjgl-natives-windows.jar" to "",
                 "build/cga/stamp" to "1", "build/cga/build.log" to "", "src/main/A.kt" to "", "src/.secret" to "", "shaders/a.glsl" to "",
                 "tests/A.kt" to "", ".git/config" to "",
-            )
+            ) + StarterFiles.COPIES.associateWith { "" }
         for ((name, text) in files) home.resolve(name).createParentDirectories().writeText(text)
         home.resolve("cga").toFile().setExecutable(true)
     }
@@ -83,7 +84,7 @@ class AutograderZipTest {
             val names = files.getPath("/").walk().filter { it.isRegularFile() }.map { "$it".drop(1) }.toSet()
             val program =
                 listOf("cga", "build/cga/lib/cga.jar", "build/cga/lib/lwjgl-natives-linux.jar", "build/cga/stamp") +
-                    listOf("src/main/A.kt", "shaders/a.glsl")
+                    listOf("src/main/A.kt", "shaders/a.glsl") + StarterFiles.COPIES
             assertEquals(program.map { "cga/$it" }.toSet() + listOf("setup.sh", "run_autograder", "config.sh"), names)
             for (name in listOf("setup.sh", "run_autograder", "cga/cga")) {
                 assertTrue(PosixFilePermission.OWNER_EXECUTE in Files.getPosixFilePermissions(files.getPath("/$name"))) { name }

@@ -99,7 +99,7 @@ class LightMistakesTest {
         val white = object : Rig() {
             override val lamps = listOf(own, head) + corners.map { Lamp(it.name, it.body, it.k) { Vector3d(1.0) } }
         }
-        white.verdict().assertMistake(Mistake.MORE_LIGHTS_MISSING, Check.MORE_LIGHTS)
+        white.verdict().assertMistake(Mistake.MORE_LIGHTS_ALIKE, Check.MORE_LIGHTS)
     }
 
     @Test
@@ -272,7 +272,7 @@ class LightMistakesTest {
                 override fun lights(moment: Moment, t: Double, view: Matrix4d) =
                     super.lights(moment, t, view).map { ObservedLight(it.name, it.position, it.color, it.k, it.spot, "${it.name}.place") }
             }.verdict()
-        rig(Vector3d()).assertMistake(Mistake.MORE_LIGHTS_MISSING)
+        rig(Vector3d()).assertMistake(Mistake.MORE_LIGHTS_ALIKE)
         assertTrue(rig(Vector3d(5.0, 1.0, 5.0))[Mistake.LIGHT_POSITION_OVERWRITTEN] != null)
     }
 
@@ -282,6 +282,45 @@ class LightMistakesTest {
             override fun position(lamp: Lamp, view: Matrix4d) = super.position(if (lamp === own) corners.last() else lamp, view)
         }
         rig.verdict().assertMistake(Mistake.LIGHT_POSITION_OVERWRITTEN)
+    }
+
+    @Test
+    fun `a headlight that hangs on the camera is no child of the motorcycle, if its place went through the view`() {
+        fun rig(isViewed: Boolean) =
+            object : Rig() {
+                override fun position(lamp: Lamp, view: Matrix4d) =
+                    if (lamp === head) Vector3d(0.0, 1.0, -2.0) else super.position(lamp, view)
+
+                override fun direction(lamp: Lamp, view: Matrix4d) = Vector3d(0.0, 0.0, -1.0)
+
+                override fun lights(moment: Moment, t: Double, view: Matrix4d) =
+                    super.lights(moment, t, view).map { ObservedLight(it.name, it.position, it.color, it.k, it.spot, "place", isViewed) }
+            }.verdict()
+        rig(isViewed = true).assertMistake(Mistake.SPOT_NOT_CHILD)
+        assertTrue(rig(isViewed = false)[Mistake.TO_LIGHT_WORLD] != null)
+    }
+
+    @Test
+    fun `where every light has a cone the motorcycle's is the narrow one that keeps its colour`() {
+        val rig = object : Rig() {
+            override val lamps = listOf(wide(own), head) + corners.map(::wide)
+
+            private fun wide(lamp: Lamp) = Lamp(lamp.name, lamp.body, lamp.k, 1.0, 2.0, isSpot = true, lamp.color)
+        }
+        val verdict = rig.verdict()
+        assertEquals(emptyList<Mistake>(), verdict.mistakes.map { it.mistake }, verdict.text())
+        verdict.assertCosts(Check.POINT_LIGHT)
+    }
+
+    @Test
+    fun `one further light that is sent four times is no position overwritten`() {
+        val rig = object : Rig() {
+            override val lamps = listOf(own, head) + corners.map { Lamp(it.name, corners[0].body, it.k, color = corners[0].color) }
+
+            override fun lights(moment: Moment, t: Double, view: Matrix4d) =
+                super.lights(moment, t, view).map { ObservedLight(it.name, it.position, it.color, it.k, it.spot, "${it.name}.place") }
+        }
+        rig.verdict().assertMistake(Mistake.MORE_LIGHTS_ALIKE)
     }
 
     @Test
@@ -296,7 +335,7 @@ class LightMistakesTest {
         fun blue(x: Float) = Lamp("blue at $x", Rig.lamp(Vector3f(x, 1f, 9f), null), Rig.POINT_K) { Vector3d(0.0, 0.0, 1.0) }
         with().assertMistake(Mistake.MORE_LIGHTS_MISSING, least = 1.0)
         with(red(9f)).assertMistake(Mistake.MORE_LIGHTS_MISSING, least = 0.5)
-        with(red(9f), red(4f)).assertMistake(Mistake.MORE_LIGHTS_MISSING, least = 0.5)
+        with(red(9f), red(4f)).assertMistake(Mistake.MORE_LIGHTS_ALIKE, least = 0.5)
         with(red(9f), blue(4f)).assertRight()
         val samePlace = with(red(9f), blue(9f))
         assertEquals(0.5, samePlace[Check.MORE_LIGHTS]?.error, samePlace.text())

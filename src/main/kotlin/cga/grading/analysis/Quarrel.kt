@@ -54,13 +54,16 @@ internal class Quarrel(
             else -> false
         }
 
-    /** Whether [unknown] says of all the lights of [found] that they fade in a way that no K describes. */
+    /** Whether [other] says of all the lights of [found] that they fade in a way that no K describes, or that their vectors are another's. */
     private fun isUnknownLaw(
-        unknown: Found,
+        other: Found,
         found: Found,
-    ) = unknown.mistake == Mistake.UNKNOWN &&
-        unknown.explains.orEmpty().contains(found.mistake.check) &&
-        found.where.split(" and ").all { it in lights(unknown) }
+    ) = found.where.split(" and ").all { it in lights(other) } &&
+        when (other.mistake) {
+            Mistake.LATER_LIGHTS_FIRST_COSINE -> true
+            Mistake.UNKNOWN -> other.explains.orEmpty().contains(found.mistake.check)
+            else -> false
+        }
 
     /** Round angles among the numbers sent tell a cosine of a cosine from a cone turned inside out. */
     private fun breaksTie(found: Found): Boolean =

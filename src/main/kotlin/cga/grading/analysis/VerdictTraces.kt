@@ -38,8 +38,13 @@ internal object VerdictTraces {
             Mistake.DIFFUSE_MISSING to
                 MISSING +
                 setOf(Mistake.SPECULAR_MISSING, Mistake.LIGHT_COLOR_DIFFERS, Mistake.SPOT_DIRECTION_LOCAL, Mistake.ATTENUATION_OTHER_K),
-            Mistake.LATER_LIGHTS_FIRST_COLOR to setOf(Mistake.MORE_LIGHTS_MISSING, Mistake.LIGHT_MISSING),
-            Mistake.LATER_LIGHTS_FIRST_COSINE to setOf(Mistake.NORMAL_MATRIX, Mistake.TO_LIGHT_WORLD, Mistake.LIGHT_POSITION_OVERWRITTEN),
+            Mistake.LATER_LIGHTS_FIRST_COLOR to setOf(Mistake.MORE_LIGHTS_MISSING, Mistake.MORE_LIGHTS_ALIKE, Mistake.LIGHT_MISSING),
+            Mistake.LATER_LIGHTS_FIRST_COSINE to
+                setOf(
+                    Mistake.NORMAL_MATRIX, Mistake.TO_LIGHT_WORLD, Mistake.LIGHT_POSITION_OVERWRITTEN, Mistake.SPOT_DIRECTION_LOCAL,
+                    Mistake.SPOT_DIRECTION_WORLD, Mistake.SPOT_DIRECTION_SIGN,
+                ),
+            Mistake.LIGHT_POSITION_OVERWRITTEN to setOf(Mistake.MORE_LIGHTS_ALIKE),
             Mistake.CONE_NEVER_SENT to setOf(Mistake.SPOT_MISSING),
             // The angle to the axis is measured with the same vector.
             Mistake.LIGHT_VECTOR_SIGN to setOf(Mistake.SPOT_DIRECTION_SIGN),

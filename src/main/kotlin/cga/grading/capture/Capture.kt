@@ -192,6 +192,9 @@ public enum class EventKind {
     /** A vec3 was sent twice between two draws with different values: nothing was drawn with the first; the text is its name. */
     UNIFORM_OVERWRITTEN,
 
-    /** A texture has the texels of a file; the text is its number in [Capture.textures] and the file's name, with a space between them. */
+    /**
+     * A texture has the texels of a file; the text is its number in [Capture.textures], or `-` for a file that none has, and the file's name,
+     * with a space between them.
+     */
     TEXTURE_FILE,
 }

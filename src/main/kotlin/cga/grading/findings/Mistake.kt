@@ -72,6 +72,7 @@ public enum class Mistake(
 
     // 4.6
     MORE_LIGHTS_MISSING("more-lights-missing", Check.MORE_LIGHTS),
+    MORE_LIGHTS_ALIKE("more-lights-alike", Check.MORE_LIGHTS),
     LATER_LIGHTS_FIRST_COSINE("later-lights-first-cosine", Check.MORE_LIGHTS_SHADING),
     LATER_LIGHTS_FIRST_COLOR("later-lights-first-colour", Check.MORE_LIGHTS_SHADING),
 

@@ -3,6 +3,7 @@ package cga.grading.report
 import cga.framework.AtomicFile
 import cga.framework.InputError
 import cga.grading.compile.ReferenceSources
+import cga.grading.starter.StarterFiles
 import java.net.URI
 import java.nio.file.FileSystem
 import java.nio.file.FileSystems
@@ -40,9 +41,12 @@ public class AutograderConfig(
 /** Writes Gradescope's autograder: `setup.sh`, `run_autograder`, the instructor's choices and the program, built. */
 public object AutograderZip {
     private const val NAME = "autograder.zip"
+
+    // setup.sh grades the starter, to have the compiler ready.
     private val PROGRAM =
-        listOf("cga", "LICENSE", "pom.xml", "build.gradle.kts", "settings.gradle.kts", "gradle.properties", "gradlew", "gradle", "src") +
-            listOf("shaders", "assets", ReferenceSources.COURSE, "build/cga/lib", "build/cga/stamp")
+        listOf("cga", "pom.xml", "build.gradle.kts", "settings.gradle.kts", "gradle.properties", "gradle", "src", "shaders", "assets") +
+            listOf(ReferenceSources.COURSE, "build/cga/lib", "build/cga/stamp") +
+            StarterFiles.COPIES.filterNot { it.startsWith("gradle/") }
 
     // Gradescope's machines run Linux.
     private val FOREIGN = Regex(""".*natives-(windows|macos).*\.jar""")

@@ -62,7 +62,7 @@ internal fun disturbedBy(mistake: Mistake): Set<Check> =
         Mistake.SPOT_NOT_CHILD -> setOf(SPOT_DIRECTION)
         Mistake.CONE_INSIDE_OUT, Mistake.COSINE_OF_COSINE, Mistake.DEGREES_FOR_RADIANS, Mistake.CONE_CLAMP_MISSING,
         Mistake.CONE_NEVER_SENT, Mistake.CONE_HARD_EDGE,
-        -> setOf(SPOT_LIGHT, CONE_SPECULAR, ATTENUATION_SPOT)
+        -> setOf(SPOT_LIGHT, CONE_SPECULAR, ATTENUATION_SPOT, POINT_LIGHT)
         Mistake.SPOT_DIRECTION_WORLD, Mistake.SPOT_DIRECTION_LOCAL, Mistake.SPOT_DIRECTION_SIGN ->
             setOf(SPOT_LIGHT, SPOT_LIGHT_CHILD, CONE, CONE_SPECULAR, ATTENUATION_SPOT)
         Mistake.SPECULAR_NOT_CONED -> setOf(CONE, SPECULAR)
@@ -79,8 +79,9 @@ internal fun disturbedBy(mistake: Mistake): Set<Check> =
         Mistake.ORBIT_MISSING -> emptySet()
         Mistake.ORBIT_OWN_AXIS, Mistake.ORBIT_PIVOT -> ORBITING + ORBIT
         Mistake.MOUSE_FACTOR, Mistake.MOUSE_JUMP -> ORBITING
-        Mistake.MORE_LIGHTS_MISSING -> emptySet()
-        Mistake.LATER_LIGHTS_FIRST_COSINE, Mistake.LATER_LIGHTS_FIRST_COLOR -> setOf(CONE_SPECULAR, HALF_VECTOR)
+        Mistake.MORE_LIGHTS_MISSING, Mistake.MORE_LIGHTS_ALIKE -> emptySet()
+        Mistake.LATER_LIGHTS_FIRST_COSINE -> SPOT + ATTENUATION + HALF_VECTOR
+        Mistake.LATER_LIGHTS_FIRST_COLOR -> setOf(CONE_SPECULAR, HALF_VECTOR)
         Mistake.KOTLIN_REFUSED, Mistake.UNKNOWN -> emptySet()
     }
 

@@ -56,7 +56,7 @@ internal class DirectionJudge(
                 sign(spot, samples.first(), child)
                 if (aims.getValue(Aim.STATIC).residual > HOLDS) localPositions(spot)
             }
-            aim == Aim.STATIC && spot.placed.place?.rides == false -> {
+            (aim == Aim.STATIC && spot.placed.place?.rides == false) || (aim == Aim.CONSTANT && spot.isOnCamera) -> {
                 book.measured(Check.SPOT_DIRECTION, 0.0, "The direction stays with the light, which does not ride along: that costs there.")
             }
             else -> wrongSpace(spot, aim, aims)

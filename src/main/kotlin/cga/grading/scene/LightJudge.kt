@@ -29,7 +29,11 @@ internal class LightJudge(
             book.lacks("the point light", POINT + Check.ATTENUATION_POINT + Check.LIGHT_COLOR, setOf(Mistake.LIGHT_MISSING))
             return
         }
-        book.measured(Check.POINT_LIGHT, 0.0, "The light ${own.name} shines.")
+        if (own.isSpot) {
+            book.measured(Check.POINT_LIGHT, 1.0, "The light ${own.name} shines, but not to all sides.")
+        } else {
+            book.measured(Check.POINT_LIGHT, 0.0, "The light ${own.name} shines.")
+        }
         rides(own, Check.POINT_LIGHT_CHILD, Mistake.LIGHT_NOT_CHILD)
         height(own)
     }
@@ -57,17 +61,16 @@ internal class LightJudge(
             book.measured(check, null, "The motorcycle was never driven, so nobody can see whether ${light.name} follows it.")
             return
         }
-        val error = notRiding(placed)
-        book.measured(
-            check,
-            error,
-            "${light.name}: ${placed.place?.text ?: "neither rides with the motorcycle nor stays in the world"}; wanted: moves with the motorcycle.",
-        )
+        val error = if (light.isOnCamera) 1.0 else notRiding(placed)
+        book.measured(check, error, "${light.name}: ${way(light)}; wanted: moves with the motorcycle.")
         if (error > TELLING) {
             val residual = if (placed.place == Place.STATIC) placed.static else placed.fit
             book.found(mistake, residual, error, light.name)
         }
     }
+
+    private fun way(light: LightTrack) =
+        if (light.isOnCamera) "is fixed to the camera" else light.placed.place?.text ?: "neither rides with the motorcycle nor stays in the world"
 
     private fun notRiding(placed: Placed): Double =
         when (placed.place) {

@@ -26,7 +26,9 @@ internal class LightRoles(
         ): LightRoles {
             val (shining, unlit) = LightTrack.all(timeline.frames).partition { it.shines }
             Placed.all(shining, timeline)
-            val spots = shining.filter { it.isSpot }
+            val cones = shining.filter { it.isSpot }
+            // One kind of light for all: then each has a cone.
+            val spots = if (cones.size > 1 && cones.size == shining.size) listOf(headlight(cones)) else cones
             val points = shining - spots.toSet()
             val own = own(points, timeline)
             val others = points - setOfNotNull(own).toSet()
@@ -39,6 +41,10 @@ internal class LightRoles(
                 unlit.map { it.name }.toSet(),
             )
         }
+
+        /** Of lights that all have cones the one that was meant to: it rides along, keeps its colour, and is the narrowest. */
+        private fun headlight(cones: List<LightTrack>): LightTrack =
+            cones.minWith(compareBy({ !it.rides() }, { it.changesColor }, { it.cone?.outerAngle }))
 
         private fun own(
             points: List<LightTrack>,

@@ -18,6 +18,9 @@ internal class LightTrack(
     val cone: ObservedCone? = states.entries.sortedBy { it.key.ordinal }.mapNotNull { it.value.spot }.lastOrNull()
     val isSpot: Boolean get() = cone != null
 
+    /** Whether it hangs on the camera: fixed to it, though what is sent went through the view matrix. */
+    val isOnCamera: Boolean get() = placed.place == Place.CONSTANT && last.isViewed
+
     /** Whether it ever gives light. */
     val shines: Boolean = states.values.any { it.color.maxAbs() > DARK }
 

@@ -22,6 +22,8 @@ internal class MoreLightsJudge(
         if (error > 0 && places.size >= WANTED && roles.further.all(::takesOwnColor)) {
             val names = roles.further.joinToString { it.name }
             book.found(Mistake.LATER_LIGHTS_FIRST_COLOR, 0.0, error, names, explains = setOf(Check.MORE_LIGHTS))
+        } else if (error > 0 && roles.further.size >= WANTED) {
+            book.found(Mistake.MORE_LIGHTS_ALIKE, 0.0, error, text)
         } else if (error > 0) {
             book.found(Mistake.MORE_LIGHTS_MISSING, 0.0, error, text)
             book.lacks("the further lights", setOf(Check.MORE_LIGHTS, Check.MORE_LIGHTS_SHADING), setOf(Mistake.MORE_LIGHTS_MISSING))

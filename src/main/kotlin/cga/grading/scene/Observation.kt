@@ -47,6 +47,7 @@ public class ObservedObject(
  * @param k (K_c, K_l, K_q) as effectively used; (1, 0, 0) without attenuation.
  * @param spot its cone, null for a point light.
  * @param placedBy the uniform that its position is sent in; null where that is not known.
+ * @param isViewed whether the shaders bring what is sent from world space to view space.
  */
 public class ObservedLight(
     public val name: String,
@@ -55,6 +56,7 @@ public class ObservedLight(
     public val k: Vector3dc,
     public val spot: ObservedCone?,
     public val placedBy: String? = null,
+    public val isViewed: Boolean = false,
 )
 
 /**

@@ -45,7 +45,9 @@ internal class PositionJudge(
     private fun space(light: LightTrack) {
         val placed = light.placed
         val place = placed.place
-        if (place == Place.SCALED_CHILD || place == Place.SCALED_STATIC) {
+        if (light.isOnCamera) {
+            book.note("${light.name} is fixed to the camera.")
+        } else if (place == Place.SCALED_CHILD || place == Place.SCALED_STATIC) {
             book.spoilt(Check.POINT_LIGHT_POSITION, placed.wrong, "${light.name}: ${place.text}; wanted: view · world position.")
             book.found(Mistake.VIEW_SCALED, placed.fit, placed.wrong, light.name)
         } else if (place == null && light in roles.further) {
@@ -91,7 +93,7 @@ internal class PositionJudge(
 
     private fun overwritten() {
         for (i in lights.indices) {
-            val same = lights.drop(i + 1).filter { together(lights[i], it) && isOneNumber(lights[i], it) }
+            val same = lights.drop(i + 1).filter { together(lights[i], it) && isOneNumber(lights[i], it) && !isTwin(lights[i], it) }
             if (same.isEmpty()) continue
             val names = (same + lights[i]).joinToString(" and ") { it.name }
             book.spoilt(Check.POINT_LIGHT_POSITION, 1.0, "$names are at the same place in every frame; wanted: each at its own.")
@@ -110,6 +112,12 @@ internal class PositionJudge(
         if (sent.any { it == null || it in overwritten } || sent[0] == sent[1]) return true
         return !isChosen(a, b) && listOf(a, b).any { !it.isUnmoved() }
     }
+
+    /** Whether two further lights are one and the same: then one was sent for the other, and nothing of it overwritten. */
+    private fun isTwin(
+        a: LightTrack,
+        b: LightTrack,
+    ) = a in roles.further && b in roles.further && a.last.color.distance(b.last.color) <= SAME * a.brightest
 
     /** Whether the light is where what it hangs on is. */
     private fun LightTrack.isUnmoved() = placed.place?.right == true && placed.point?.let { it.length() < AT_ORIGIN } == true

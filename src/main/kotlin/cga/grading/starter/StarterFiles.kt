@@ -24,7 +24,9 @@ public object StarterFiles {
     private const val INSPECTOR = "shaders/inspect/"
     private val SOURCE_TYPES = setOf("kt", "vert", "frag")
     private val MODEL_TYPES = setOf("obj", "mtl", "png")
-    private val COPIES =
+
+    /** What is copied as it is from the top of the project: where a starter is made these must be there. */
+    internal val COPIES: List<String> =
         listOf("LICENSE", "gradlew", "gradlew.bat", "gradle/libs.versions.toml", "gradle/wrapper/gradle-wrapper.jar") +
             "gradle/wrapper/gradle-wrapper.properties"
 

@@ -44,8 +44,13 @@ internal class AttenuationFit(
             val strengths = amplitudes.at(points)
             val right = of(distances, strengths, growing = false)
             if (right.error < ACCEPTED) return right
-            return listOf(right, of(distances, strengths, growing = true), twice(distances, strengths)).minBy { it.error }
+            val best = listOf(right, of(distances, strengths, growing = true), twice(distances, strengths)).minBy { it.error }
+            return if (best.error < ACCEPTED || axis != null) best else growing(amplitudes) ?: best
         }
+
+        /** A long vector to the light that also cuts the light off to one side is still seen to another. */
+        private fun growing(amplitudes: Amplitudes): AttenuationFit? =
+            Directions.AXES.firstNotNullOfOrNull { axis -> of(amplitudes, axis).takeIf { it.growing && it.error < ACCEPTED } }
 
         /** The law whose square the [strengths] are; none of a law with negative terms, which a square may well look like. */
         private fun twice(

@@ -23,7 +23,7 @@ internal object LightDeviations {
         }
         if (study.normalsMoved) add(Mistake.NORMAL_MATRIX, placement.error)
         if (!placement.isConsistent) add(alone(light, placement), placement.error)
-        if (RefFinder(light.probe.slot.name, study).detour(placement.view) != null) add(Mistake.TO_LIGHT_WORLD, placement.error)
+        if (RefFinder(light, study).detour(placement.view) != null) add(Mistake.TO_LIGHT_WORLD, placement.error)
         if (placement.isFlipped) add(Mistake.LIGHT_VECTOR_SIGN, light.cosineError)
         if (light.unclamped) add(Mistake.CLAMP_MISSING, light.cosineError)
         if (light.cosineError > TOLERATED) add(Mistake.UNKNOWN, light.cosineError, light.cosineError)
@@ -41,9 +41,9 @@ internal object LightDeviations {
         }
         attenuation(light, study)?.let { (mistake, fit) ->
             val why = if (mistake == Mistake.UNKNOWN) attenuationText(light, study) else ""
-            found += Deviation(mistake, light.name, fit, 1.0, check = attenuationCheck(light, mistake), why = why)
+            found += Deviation(mistake, light.name, fit, 1.0, check = attenuationCheck(light, mistake, study), why = why)
         }
-        return found + HighlightDeviations.of(light, study)
+        return if (isStrange(light)) found else found + HighlightDeviations.of(light, study)
     }
 
     /**
@@ -87,7 +87,16 @@ internal object LightDeviations {
     private fun attenuationCheck(
         light: LightModel,
         mistake: Mistake,
-    ) = if (mistake == Mistake.UNKNOWN && !light.isFromEye) Check.ATTENUATION_FORM else mistake.check
+        study: ProgramStudy,
+    ) = when {
+        mistake != Mistake.UNKNOWN || light.isFromEye -> mistake.check
+        // Two and more are right: then the formula is, and these are further lights.
+        isStrange(light) && study.shining.count { !isStrange(it) } >= 2 -> Check.MORE_LIGHTS_SHADING
+        else -> Check.ATTENUATION_FORM
+    }
+
+    /** Whether no law of distance comes near what [light] does: nothing else that was measured of it means anything. */
+    fun isStrange(light: LightModel): Boolean = light.cone == null && light.attenuation?.error?.let { it >= STRANGE } == true
 
     private fun attenuationText(
         light: LightModel,
@@ -109,7 +118,7 @@ internal object LightDeviations {
         return when {
             light.otherDirection && light.isFromEye -> Mistake.UNKNOWN to fit.error
             study.distanceOf(light) != null -> Mistake.UNKNOWN to fit.error
-            light.otherDirection -> Mistake.LATER_LIGHTS_FIRST_COSINE to fit.error
+            light.otherDirection || study.directionOf(light) != null -> Mistake.LATER_LIGHTS_FIRST_COSINE to fit.error
             fit.error > AttenuationFit.ACCEPTED || fit.isTwice -> Mistake.UNKNOWN to fit.error
             fit.growing -> Mistake.TO_LIGHT_NOT_NORMALIZED to fit.error
             isAtLengthOne(light) -> null
@@ -122,4 +131,7 @@ internal object LightDeviations {
     /** What floats and a triangle's middle leave is below 1e-4; a wrong vector changes a tenth and more. */
     private const val INTERPOLATED = 0.01
     private const val TOLERATED = 5e-3
+
+    /** A strength that is nowhere near the fit's; 1 where there is no light at all where there should be. */
+    private const val STRANGE = 0.9
 }

@@ -31,6 +31,9 @@ internal class VectorRef(
     private val constant: Vector3dc,
     private val first: Int = 0,
 ) {
+    /** Whether it is a uniform in world space. */
+    val isViewed: Boolean get() = name != null && space == Space.WORLD
+
     fun position(
         values: Map<String, FloatArray>,
         view: Matrix4dc,
@@ -59,7 +62,7 @@ internal class VectorRef(
  * A light in terms of uniforms, so that it can be told for every draw without measuring again.
  *
  * @param scale what the colour is multiplied with: an intensity.
- * @param meter of a colour that no uniform holds, [axisMeter] of a direction that none does.
+ * @param meter of a colour that no uniform holds, [axisMeter] of a direction that none does, [placeMeter] of such a place.
  */
 internal class LightRefs(
     private val name: String,
@@ -70,6 +73,7 @@ internal class LightRefs(
     private val cone: ConeRefs?,
     private val meter: ColorMeter? = null,
     private val axisMeter: AxisMeter? = null,
+    private val placeMeter: PlaceMeter? = null,
 ) {
     /** The direction of a cone and what makes its edges. */
     internal class ConeRefs(
@@ -87,7 +91,7 @@ internal class LightRefs(
         spaces: Spaces,
     ): ObservedLight {
         val c = values[color] ?: FloatArray(3)
-        val place = position.position(values, view)
+        val place = placeMeter?.place(values, spaces)?.let(::Vector3d) ?: position.position(values, view)
         val law = Vector3d(k[0].of(values), k[1].of(values), k[2].of(values))
         val axis = axisMeter?.axis(values, spaces, place) ?: cone?.direction?.direction(values, view)
         return ObservedLight(
@@ -104,6 +108,7 @@ internal class LightRefs(
                     ObservedCone(axis, angle(cone, cone.inner, values), angle(cone, cone.outer, values))
                 },
             placedBy = position.name,
+            isViewed = position.isViewed,
         )
     }
 
@@ -122,7 +127,7 @@ internal class LightRefs(
             light: LightModel,
             study: ProgramStudy,
         ): List<LightRefs> {
-            val finder = RefFinder(light.probe.slot.name, study)
+            val finder = RefFinder(light, study)
             if (light.shared.isNotEmpty()) {
                 return light.shared.mapIndexed { i, shared ->
                     val (k, scale) = finder.attenuation(shared.attenuation?.k ?: Vector3d(1.0, 0.0, 0.0))
@@ -142,7 +147,9 @@ internal class LightRefs(
             // a defect of its own.
             val place = Vector3d(light.attenuation?.from?.takeIf { study.distanceOf(light) == null } ?: placement.view)
             val axisMeter = if (cone?.direction?.name == null) AxisMeter.of(light, study) else null
-            return listOf(LightRefs(light.name, slot.name, scale, finder.position(place), k, cone, meter, axisMeter))
+            val position = finder.position(place)
+            val placeMeter = if (position.name == null) PlaceMeter.of(light, study) else null
+            return listOf(LightRefs(light.name, slot.name, scale, position, k, cone, meter, axisMeter, placeMeter))
         }
 
         /** All that can be said of a light that is somewhere: nothing of its K. */

@@ -18,7 +18,7 @@ internal object MaterialDeviations {
         if (roles.isShared) add(Mistake.UNKNOWN, Check.MATERIAL)
         if (roles.diffuse == null && roles.specular != null) add(Mistake.DIFFUSE_MISSING)
         if (roles.specular == null && roles.untextured < 1e-3) add(Mistake.SPECULAR_MISSING)
-        if (roles.peak != Peak.POWER && isSwapped(roles, study.files)) add(Mistake.MAPS_SWAPPED)
+        if (roles.peak != Peak.POWER && isSwapped(roles, study.files, study.filesThere)) add(Mistake.MAPS_SWAPPED)
         if (isAtWrongUnit(study, roles)) add(Mistake.SAMPLER_UNIT)
         if (study.exponent < 1 || roles.powers.values.any { it < ENCODED }) add(Mistake.GAMMA_DIRECTION)
         return found
@@ -33,11 +33,16 @@ internal object MaterialDeviations {
         return units.size != units.distinct().size || listOf(roles.emission, roles.diffuse, roles.specular).any { it in study.unbound }
     }
 
-    /** Whether the files that the samplers read, or where none is known their own names, say that they have another's work. */
+    /**
+     * Whether the files that the samplers read, or where none is known their own names, say that they have another's work. One of two
+     * samplers that read the same has, if a file for its own use is [there].
+     */
     fun isSwapped(
         roles: TextureRoles,
         files: Map<String, Set<String>>,
+        there: Set<String> = emptySet(),
     ): Boolean {
+        val known = there.mapNotNull(MapWord::of).toSet()
         val samplers =
             mapOf(MapWord.EMISSION to roles.emission, MapWord.DIFFUSE to roles.diffuse, MapWord.SPECULAR to roles.specular)
                 .mapNotNull { (use, sampler) -> sampler?.let { use to it } }
@@ -46,7 +51,8 @@ internal object MaterialDeviations {
         }
         return samplers.any { (use, sampler) ->
             samplers.any { (other, its) ->
-                sampler != its && haveMoved(use, words.getValue(sampler), other, words.getValue(its))
+                val (said, itSaid) = words.getValue(sampler) to words.getValue(its)
+                sampler != its && (haveMoved(use, said, other, itSaid) || (said == setOf(other) && said == itSaid && use in known))
             }
         }
     }

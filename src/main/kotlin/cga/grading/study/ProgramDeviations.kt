@@ -46,7 +46,7 @@ internal object ProgramDeviations {
     ): List<Double> {
         val cone = light.cone ?: return emptyList()
         val axis = light.placement?.directionToView(cone.axis) ?: return emptyList()
-        return RefFinder(light.probe.slot.name, study).lengthsAlong(axis)
+        return RefFinder(light, study).lengthsAlong(axis)
     }
 
     /** Whether [light] has a cone of which nothing was sent: it is one of the values that had to be given to see any light. */

@@ -15,9 +15,11 @@ import kotlin.random.Random
  * @param normalsMoved whether the shader adds something to the normals.
  * @param isAwake whether uniforms that were never sent had to be given values for any light to shine.
  * @param hidesLights whether something shines that none of the [colors] is the colour of.
- * @param files names of the files that samplers read from, as far as known, over all draws.
+ * @param files names of the files that samplers read from, as far as known, over all draws; [filesThere] of all that could be.
  * @param unbound samplers that find no texture at their unit in any draw.
  * @param deadly uniforms that were never sent and leave no number of the picture.
+ * @param surface points on what was drawn and near it, in view space.
+ * @param elsewhere another object's draw, if there is one.
  * @param lights that shine somewhere; [silent] that do not and could.
  */
 internal class ProgramStudy(
@@ -35,9 +37,12 @@ internal class ProgramStudy(
     val coneless: ConelessLights,
     val hidesLights: Boolean,
     val files: Map<String, Set<String>> = emptyMap(),
+    val filesThere: Set<String> = emptySet(),
     val unbound: Set<String> = emptySet(),
     private val sent: Map<String, List<FloatArray>> = emptyMap(),
     val deadly: Set<String> = emptySet(),
+    val surface: List<Vector3d> = emptyList(),
+    val elsewhere: BlackBox? = null,
 ) {
     /** The lights that are not black in all draws: what those would do nobody sees. */
     val shining: List<LightModel> by lazy { lights.filter(::everShines) }
@@ -52,6 +57,13 @@ internal class ProgramStudy(
         // Two lights at one place: then it is the direction that is the other's.
         if (sound.any { isAt(it, light.placement?.view ?: from) }) return null
         return sound.firstOrNull { isAt(it, from) }
+    }
+
+    /** The other light whose directions [light] takes while its distances are its own; null where it does not. */
+    fun directionOf(light: LightModel): LightModel? {
+        val from = light.placement?.view ?: return null
+        if ((light.attenuation?.error ?: 0.0) <= AttenuationFit.ACCEPTED) return null
+        return lights.firstOrNull { it !== light && isAt(it, from) && (it.attenuation?.error ?: 1.0) <= AttenuationFit.ACCEPTED }
     }
 
     private fun isAt(
@@ -104,8 +116,9 @@ internal class ProgramStudy(
                     decoded,
                 ),
                 ConelessLights.of(decoded, colors, surface, roles, lights),
-                HiddenLights.areThere(decoded, colors, samples), SamplerFacts.files(capture, number), SamplerFacts.unbound(capture, number),
-                sentValues(capture, number, draw), look.deadly,
+                HiddenLights.areThere(decoded, colors, samples), SamplerFacts.files(capture, number), SamplerFacts.there(capture), SamplerFacts.unbound(capture, number),
+                sentValues(capture, number, draw), look.deadly, surface,
+                Representative.other(capture, number, formula, decoded),
             )
         }
 

@@ -6,11 +6,12 @@ import org.joml.Vector3d
 import org.joml.Vector3dc
 import kotlin.math.abs
 
-/** Looks for the uniforms whose values explain what was measured; of several with one value the one whose name is most like [color]'s. */
+/** Looks for the uniforms whose values explain what was measured of [light]; of several with one value the one whose name is most like its colour's. */
 internal class RefFinder(
-    private val color: String,
+    private val light: LightModel,
     private val study: ProgramStudy,
 ) {
+    private val color = light.probe.slot.name
     private val values = study.box.values
     private val view: Matrix4dc? = study.box.spaces.view
     private val slots =
@@ -42,7 +43,22 @@ internal class RefFinder(
         fun isThere(point: Vector3d) = point.distance(measured) < tolerance
         val sent = vectors()
         if (sent.any { isThere(it.raw) || view?.transformPosition(it.raw, Vector3d())?.let(::isThere) == true }) return null
-        return sent.firstOrNull { it.raw.length() > tolerance && Detours.of(study.box.spaces, it.raw).any(::isThere) }?.slot
+        return sent
+            .firstOrNull { one ->
+                val way = if (one.raw.length() > tolerance) Detours.of(study.box.spaces, one.raw).indexOfFirst(::isThere) else -1
+                way >= 0 && isDetourElsewhere(one, way)
+            }?.slot
+    }
+
+    /** Whether the light of another object's draw has come the same [way]: the motorcycle's matrix is right where it is not every object's own. */
+    private fun isDetourElsewhere(
+        sent: Sent,
+        way: Int,
+    ): Boolean {
+        val other = study.elsewhere ?: return true
+        val place = PlaceMeter.of(light, study)?.place(other.values, other.spaces) ?: return true
+        val expected = Detours.of(other.spaces, VectorRef.vector(other.values[sent.slot.name] ?: return true, 0)).getOrNull(way) ?: return true
+        return expected.distance(place) < 1e-2 * (1 + place.length())
     }
 
     fun cone(
@@ -100,9 +116,9 @@ internal class RefFinder(
 
     /** How long the vectors are that point along [axis] in view space, or against it; those of length 1 left out. */
     fun lengthsAlong(axis: Vector3dc): List<Double> =
-        aimed(axis).map { it.raw.length() }.filter { abs(it - 1) > 1e-3 }.distinct().toList()
+        aimable().filter { aim(it, axis) != null }.map { it.raw.length() }.filter { abs(it - 1) > 1e-3 }.distinct()
 
-    private fun aimed(axis: Vector3dc): Sequence<Sent> = (vectors() + columns(*AXES)).asSequence().filter { aim(it, axis) != null }
+    private fun aimable(): List<Sent> = vectors() + columns(*AXES)
 
     /** The space and the sign with which [sent] is [axis], but for its length; null where it is not. */
     private fun aim(
@@ -120,7 +136,7 @@ internal class RefFinder(
     }
 
     private fun direction(axis: Vector3dc): VectorRef {
-        aimed(axis).firstOrNull()?.let { sent -> aim(sent, axis)?.let { (space, factor) -> return sent.ref(space, factor, axis) } }
+        for (sent in aimable()) aim(sent, axis)?.let { (space, factor) -> return sent.ref(space, factor, axis) }
         return if (view ==
             null
         ) {

@@ -32,5 +32,22 @@ internal object Representative {
         }
     }
 
+    /** What [box] is in another object's draw of the same moment: one whose model matrix is another, while the view is the same; null where there is none. */
+    fun other(
+        capture: Capture,
+        number: Int,
+        formula: GeometryFormula,
+        box: BlackBox,
+    ): BlackBox? {
+        val model = box.spaces.model ?: return null
+        val draws = capture.frames.flatMap { it.steps }.filterIsInstance<CapturedDraw>().filter { it.program == number }
+        return draws.asReversed().asSequence().take(MOST).firstNotNullOfOrNull { draw ->
+            val values = box.program.constants + draw.uniforms.associate { it.name to it.numbers }
+            val spaces = Spaces.of(formula, box.program.matrices.filter { it in values }, values)
+            spaces?.takeIf { it.view == box.spaces.view && it.model?.equals(model, APART) == false }?.let { box.drawn(it, values) }
+        }
+    }
+
     private const val MOST = 200
+    private const val APART = 0.1
 }

@@ -12,11 +12,19 @@ internal object SamplerFacts {
         capture: Capture,
         number: Int,
     ): Map<String, Set<String>> {
-        val events = capture.events.filter { it.kind == EventKind.TEXTURE_FILE }
-        val names = events.associate { it.text.substringBefore(' ').toIntOrNull() to it.text.substringAfter(' ') }
-        val read = read(capture, number).map { (sampler, texture) -> sampler to names[texture] }
+        val names = files(capture).toMap()
+        val read = read(capture, number).map { (sampler, texture) -> sampler to texture?.let(names::get) }
         return read.groupBy({ it.first }, { it.second }).mapValues { it.value.filterNotNull().toSet() }.filterValues { it.isNotEmpty() }
     }
+
+    /** Names of all files that are there to be read. */
+    fun there(capture: Capture): Set<String> = files(capture).map { it.second }.toSet()
+
+    /** Numbers of textures and the names of their files; no number where no draw reads a texture of that file. */
+    private fun files(capture: Capture): List<Pair<Int?, String>> =
+        capture.events
+            .filter { it.kind == EventKind.TEXTURE_FILE }
+            .map { it.text.substringBefore(' ').toIntOrNull() to it.text.substringAfter(' ') }
 
     /**
      * The samplers of program [number] that find no texture at their unit in any draw: OpenGL gives black. None where textures may have

@@ -52,7 +52,12 @@ internal object StudyChecks {
                 spots.mapNotNull { spot -> spot.highlight?.limits?.let { minOf(it.all, it.coneOnly) } },
                 "highlight inside and outside of the cone",
             ),
-            measured(Check.ATTENUATION_FORM, mistakes, lights.mapNotNull { it.attenuation?.error }, "1/(Kc + Kl d + Kq d^2)"),
+            measured(
+                Check.ATTENUATION_FORM,
+                mistakes,
+                lights.filterNot(LightDeviations::isStrange).mapNotNull { it.attenuation?.error },
+                "1/(Kc + Kl d + Kq d^2)",
+            ),
             measured(Check.EMISSION, mistakes, studies.map { 0.0 }, "emission times its colour"),
             measured(
                 Check.MORE_LIGHTS_SHADING,

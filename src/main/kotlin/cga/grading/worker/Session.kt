@@ -57,7 +57,9 @@ internal object Session {
     private fun noteFiles() {
         try {
             val folder = Path.of("assets").takeIf { Files.isDirectory(it) } ?: return
-            for ((number, name) in TextureFiles.of(tape.capture(), folder)) tape.event(EventKind.TEXTURE_FILE, "$number $name")
+            val read = TextureFiles.of(tape.capture(), folder)
+            for ((number, name) in read) tape.event(EventKind.TEXTURE_FILE, "$number $name")
+            for (name in TextureFiles.others(folder, read.values)) tape.event(EventKind.TEXTURE_FILE, "- $name")
         } catch (e: IOException) {
             System.err.println("the textures' files cannot be read: $e")
         } catch (e: UncheckedIOException) {

@@ -26,6 +26,12 @@ internal object TextureFiles {
         return found.filterValues { it.size == 1 }.mapValues { it.value.single() }
     }
 
+    /** Names of such files below [folder] that are none of [read]; none where nothing was read, and nothing can have been mixed up. */
+    fun others(
+        folder: Path,
+        read: Collection<String>,
+    ): Set<String> = if (read.isEmpty()) emptySet() else files(folder).map { "${it.fileName}" }.toSet() - read.toSet()
+
     private fun files(folder: Path): List<Path> =
         Files.walk(folder, DEPTH).use { all ->
             all

@@ -8,7 +8,6 @@ import kotlinx.serialization.json.Json
 import kotlinx.serialization.json.double
 import kotlinx.serialization.json.jsonObject
 import kotlinx.serialization.json.jsonPrimitive
-import java.nio.file.Files
 import java.nio.file.Path
 import kotlin.io.path.createTempDirectory
 import kotlin.io.path.exists
@@ -18,7 +17,7 @@ import kotlin.io.path.readText
 internal object CommandPart {
     private const val MOST_SECONDS = 6.0
 
-    /** A round takes minutes. */
+    /** A round takes half a minute. */
     private const val MOST_ROUNDS = 3
     private const val SUBMISSIONS = 4
     private const val JOBS = 2
@@ -26,8 +25,7 @@ internal object CommandPart {
     private const val GRADE = "`./cga grade`, a submission of $SUBMISSIONS, $JOBS at a time"
 
     fun measure(settings: SpeedSettings): SpeedSection {
-        val launcher = Home.resolve("cga")
-        if (!Files.isExecutable(launcher)) throw InputError("the launcher $launcher is not there: start this through ./cga bench.")
+        val launcher = LauncherJvm.launcher()
         val folder = createTempDirectory("cga-commands")
         try {
             val results = folder.resolve("results")

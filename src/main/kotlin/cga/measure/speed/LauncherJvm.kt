@@ -1,6 +1,9 @@
 package cga.measure.speed
 
+import cga.framework.Home
+import cga.framework.InputError
 import java.lang.management.ManagementFactory
+import java.nio.file.Files
 import java.nio.file.Path
 
 /** What makes a short run faster: options of the JVM. */
@@ -24,6 +27,13 @@ internal class LauncherJvm private constructor(
 
     companion object {
         private val JAVA = Path.of(System.getProperty("java.home"), "bin", "java").toString()
+
+        /** The launcher itself. Throws [InputError] where it is not there. */
+        fun launcher(): Path {
+            val launcher = Home.resolve("cga")
+            if (!Files.isExecutable(launcher)) throw InputError("the launcher $launcher is not there: start this through ./cga bench.")
+            return launcher
+        }
 
         /** From this process' own options, which the launcher gave it as well. */
         fun ofThisProcess(): LauncherJvm {

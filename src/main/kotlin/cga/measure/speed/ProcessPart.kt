@@ -1,7 +1,6 @@
 package cga.measure.speed
 
 import cga.exercise.game.Step
-import cga.framework.Home
 import cga.framework.InputError
 import cga.framework.context.OffscreenContext
 import cga.measure.Sample
@@ -28,8 +27,7 @@ internal object ProcessPart {
     fun measure(settings: SpeedSettings): SpeedSection {
         val folder = createTempDirectory("cga-process")
         try {
-            val launcher = Home.resolve("cga")
-            if (!Files.isExecutable(launcher)) throw InputError("the launcher $launcher is not there: start this through ./cga bench.")
+            val launcher = LauncherJvm.launcher()
             val render = Render(settings, folder.resolve("ours.png"))
             val commands =
                 mapOf(OURS to listOf("$launcher") + render.words) + render.variants() +

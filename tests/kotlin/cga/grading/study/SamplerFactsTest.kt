@@ -35,20 +35,20 @@ class SamplerFactsTest {
     @Test
     fun `a sampler that was never set finds nothing at unit 0`() {
         val never = capture(mapOf("emit" to 3, "diff" to 0, "spec" to 5), mapOf(3 to 0, 4 to 1, 5 to 2))
-        assertEquals(setOf("diff"), SamplerFacts.unbound(never, 0))
-        assertEquals(emptySet<String>(), SamplerFacts.unbound(capture(mapOf("emit" to 0, "diff" to 1), mapOf(0 to 0, 1 to 1)), 0))
+        assertEquals(setOf("diff"), SamplerFacts.of(never, 0).unbound)
+        assertEquals(emptySet<String>(), SamplerFacts.of(capture(mapOf("emit" to 0, "diff" to 1), mapOf(0 to 0, 1 to 1)), 0).unbound)
     }
 
     @Test
     fun `nothing is said where textures may be missing from the capture`() {
         val event = CapturedEvent(EventKind.NOT_CAPTURED, 0, "a cube map")
-        assertEquals(emptySet<String>(), SamplerFacts.unbound(capture(mapOf("diff" to 0), emptyMap(), event), 0))
+        assertEquals(emptySet<String>(), SamplerFacts.of(capture(mapOf("diff" to 0), emptyMap(), event), 0).unbound)
     }
 
     @Test
     fun `files are told by the textures that a sampler reads`() {
         val event = CapturedEvent(EventKind.TEXTURE_FILE, -1, "1 ground diff.png")
         val read = capture(mapOf("emit" to 0, "diff" to 1), mapOf(0 to 0, 1 to 1), event)
-        assertEquals(mapOf("diff" to setOf("ground diff.png")), SamplerFacts.files(read, 0))
+        assertEquals(mapOf("diff" to setOf("ground diff.png")), SamplerFacts.of(read, 0).files)
     }
 }

@@ -70,7 +70,10 @@ internal class LightJudge(
     }
 
     private fun way(light: LightTrack) =
-        if (light.isOnCamera) "is fixed to the camera" else light.placed.place?.text ?: "neither rides with the motorcycle nor stays in the world"
+        when {
+            light.isOnCamera -> "is fixed to the camera"
+            else -> light.placed.place?.text ?: "neither rides with the motorcycle nor stays in the world"
+        }
 
     private fun notRiding(placed: Placed): Double =
         when (placed.place) {

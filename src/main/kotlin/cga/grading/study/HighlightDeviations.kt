@@ -35,7 +35,7 @@ internal object HighlightDeviations {
     ): Mistake? {
         if (highlight.exponentSlot != null && highlight.fit.exponent >= NO_EXPONENT) return null
         // With the exponent at the other cosine either that or the vectors of both are exchanged: the textures tell.
-        val isExchanged = study.roles?.let { it.peak == Peak.POWER && MaterialDeviations.isSwapped(it, study.files) } == true
+        val isExchanged = study.roles?.let { it.peak == Peak.POWER && MaterialDeviations.isSwapped(it, study.samplers.files) } == true
         return if (isExchanged) Mistake.UNKNOWN else Mistake.EXPONENT_FIXED
     }
 

@@ -18,7 +18,7 @@ internal object MaterialDeviations {
         if (roles.isShared) add(Mistake.UNKNOWN, Check.MATERIAL)
         if (roles.diffuse == null && roles.specular != null) add(Mistake.DIFFUSE_MISSING)
         if (roles.specular == null && roles.untextured < 1e-3) add(Mistake.SPECULAR_MISSING)
-        if (roles.peak != Peak.POWER && isSwapped(roles, study.files, study.filesThere)) add(Mistake.MAPS_SWAPPED)
+        if (roles.peak != Peak.POWER && isSwapped(roles, study.samplers.files, study.samplers.there)) add(Mistake.MAPS_SWAPPED)
         if (isAtWrongUnit(study, roles)) add(Mistake.SAMPLER_UNIT)
         if (study.exponent < 1 || roles.powers.values.any { it < ENCODED }) add(Mistake.GAMMA_DIRECTION)
         return found
@@ -30,7 +30,8 @@ internal object MaterialDeviations {
         roles: TextureRoles,
     ): Boolean {
         val units = study.box.program.samplers.mapNotNull { study.box.values[it.name]?.firstOrNull() }
-        return units.size != units.distinct().size || listOf(roles.emission, roles.diffuse, roles.specular).any { it in study.unbound }
+        val used = listOf(roles.emission, roles.diffuse, roles.specular)
+        return units.size != units.distinct().size || used.any { it in study.samplers.unbound }
     }
 
     /**

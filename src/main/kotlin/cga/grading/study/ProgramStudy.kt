@@ -15,8 +15,7 @@ import kotlin.random.Random
  * @param normalsMoved whether the shader adds something to the normals.
  * @param isAwake whether uniforms that were never sent had to be given values for any light to shine.
  * @param hidesLights whether something shines that none of the [colors] is the colour of.
- * @param files names of the files that samplers read from, as far as known, over all draws; [filesThere] of all that could be.
- * @param unbound samplers that find no texture at their unit in any draw.
+ * @param samplers what they read, over all draws.
  * @param deadly uniforms that were never sent and leave no number of the picture.
  * @param surface points on what was drawn and near it, in view space.
  * @param elsewhere another object's draw, if there is one.
@@ -36,9 +35,7 @@ internal class ProgramStudy(
     val isAwake: Boolean,
     val coneless: ConelessLights,
     val hidesLights: Boolean,
-    val files: Map<String, Set<String>> = emptyMap(),
-    val filesThere: Set<String> = emptySet(),
-    val unbound: Set<String> = emptySet(),
+    val samplers: SamplerFacts = SamplerFacts(),
     private val sent: Map<String, List<FloatArray>> = emptyMap(),
     val deadly: Set<String> = emptySet(),
     val surface: List<Vector3d> = emptyList(),
@@ -116,7 +113,7 @@ internal class ProgramStudy(
                     decoded,
                 ),
                 ConelessLights.of(decoded, colors, surface, roles, lights),
-                HiddenLights.areThere(decoded, colors, samples), SamplerFacts.files(capture, number), SamplerFacts.there(capture), SamplerFacts.unbound(capture, number),
+                HiddenLights.areThere(decoded, colors, samples), SamplerFacts.of(capture, number),
                 sentValues(capture, number, draw), look.deadly, surface,
                 Representative.other(capture, number, formula, decoded),
             )

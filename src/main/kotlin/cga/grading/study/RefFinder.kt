@@ -57,7 +57,8 @@ internal class RefFinder(
     ): Boolean {
         val other = study.elsewhere ?: return true
         val place = PlaceMeter.of(light, study)?.place(other.values, other.spaces) ?: return true
-        val expected = Detours.of(other.spaces, VectorRef.vector(other.values[sent.slot.name] ?: return true, 0)).getOrNull(way) ?: return true
+        val raw = other.values[sent.slot.name]?.let { VectorRef.vector(it, 0) } ?: return true
+        val expected = Detours.of(other.spaces, raw).getOrNull(way) ?: return true
         return expected.distance(place) < 1e-2 * (1 + place.length())
     }
 

@@ -5,47 +5,57 @@ import cga.grading.capture.CapturedDraw
 import cga.grading.capture.EventKind
 import org.lwjgl.opengl.GL33C.GL_SAMPLER_2D
 
-/** What a capture tells of the textures that the samplers of a program read. */
-internal object SamplerFacts {
-    /** Names of the files that each sampler of program [number] reads, as far as known, over all draws. */
-    fun files(
-        capture: Capture,
-        number: Int,
-    ): Map<String, Set<String>> {
-        val names = files(capture).toMap()
-        val read = read(capture, number).map { (sampler, texture) -> sampler to texture?.let(names::get) }
-        return read.groupBy({ it.first }, { it.second }).mapValues { it.value.filterNotNull().toSet() }.filterValues { it.isNotEmpty() }
-    }
-
-    /** Names of all files that are there to be read. */
-    fun there(capture: Capture): Set<String> = files(capture).map { it.second }.toSet()
-
-    /** Numbers of textures and the names of their files; no number where no draw reads a texture of that file. */
-    private fun files(capture: Capture): List<Pair<Int?, String>> =
-        capture.events
-            .filter { it.kind == EventKind.TEXTURE_FILE }
-            .map { it.text.substringBefore(' ').toIntOrNull() to it.text.substringAfter(' ') }
-
-    /**
-     * The samplers of program [number] that find no texture at their unit in any draw: OpenGL gives black. None where textures may have
-     * been left out of the capture.
-     */
-    fun unbound(
-        capture: Capture,
-        number: Int,
-    ): Set<String> {
-        if (capture.events.any { it.kind == EventKind.NOT_CAPTURED }) return emptySet()
-        val read = read(capture, number).groupBy({ it.first }, { it.second }).filterValues { all -> all.all { it == null } }.keys
-        // Where nothing has a texture at all, none was loaded, and units have nothing to do with it.
-        return if (capture.textures.isEmpty()) emptySet() else read
-    }
-
-    /** Each sampler of each draw with the number of its texture. */
-    private fun read(
-        capture: Capture,
-        number: Int,
-    ): List<Pair<String, Int?>> =
-        capture.frames.flatMap { it.steps }.filterIsInstance<CapturedDraw>().filter { it.program == number }.flatMap { draw ->
-            draw.uniforms.filter { it.type == GL_SAMPLER_2D }.map { it.name to draw.textures[it.numbers[0].toInt()] }
+/**
+ * What a capture tells of the textures that the samplers of a program read.
+ *
+ * @param files names of the files that each sampler reads, as far as known, over all draws; [there] of all that could be read.
+ * @param unbound samplers that find no texture at their unit in any draw: OpenGL gives black. None where textures may have been left out
+ * of the capture.
+ */
+internal class SamplerFacts(
+    val files: Map<String, Set<String>> = emptyMap(),
+    val there: Set<String> = emptySet(),
+    val unbound: Set<String> = emptySet(),
+) {
+    companion object {
+        /** Of program [number]. */
+        fun of(
+            capture: Capture,
+            number: Int,
+        ): SamplerFacts {
+            // No number where no draw reads a texture of that file.
+            val names =
+                capture.events
+                    .filter { it.kind == EventKind.TEXTURE_FILE }
+                    .map { it.text.substringBefore(' ').toIntOrNull() to it.text.substringAfter(' ') }
+            val read = read(capture, number)
+            return SamplerFacts(files(read, names.toMap()), names.map { it.second }.toSet(), unbound(capture, read))
         }
+
+        private fun files(
+            read: List<Pair<String, Int?>>,
+            names: Map<Int?, String>,
+        ): Map<String, Set<String>> {
+            val known = read.groupBy({ it.first }, { (_, texture) -> texture?.let(names::get) })
+            return known.mapValues { it.value.filterNotNull().toSet() }.filterValues { it.isNotEmpty() }
+        }
+
+        private fun unbound(
+            capture: Capture,
+            read: List<Pair<String, Int?>>,
+        ): Set<String> {
+            // Where nothing has a texture at all, none was loaded, and units have nothing to do with it.
+            if (capture.events.any { it.kind == EventKind.NOT_CAPTURED } || capture.textures.isEmpty()) return emptySet()
+            return read.groupBy({ it.first }, { it.second }).filterValues { all -> all.all { it == null } }.keys
+        }
+
+        /** Each sampler of each draw with the number of its texture. */
+        private fun read(
+            capture: Capture,
+            number: Int,
+        ): List<Pair<String, Int?>> =
+            capture.frames.flatMap { it.steps }.filterIsInstance<CapturedDraw>().filter { it.program == number }.flatMap { draw ->
+                draw.uniforms.filter { it.type == GL_SAMPLER_2D }.map { it.name to draw.textures[it.numbers[0].toInt()] }
+            }
+    }
 }

@@ -9,6 +9,7 @@ import cga.grading.findings.Mistake
 import org.joml.Matrix4d
 import org.joml.Vector3d
 import org.junit.jupiter.api.Assertions.assertEquals
+import org.junit.jupiter.api.Assertions.assertFalse
 import org.junit.jupiter.api.Assertions.assertNull
 import org.junit.jupiter.api.Assertions.assertTrue
 import org.junit.jupiter.api.Test
@@ -184,6 +185,15 @@ class OrderMistakesTest {
         assertTrue(verdict.isReplaced)
         assertNull(verdict[Check.POINT_LIGHT]?.error)
         assertEquals(0.0, verdict[Check.ORBIT]?.error)
+    }
+
+    @Test
+    fun `a shader that only needed other words costs its own check, and all else is judged`() {
+        val log = "fragment shader\n0:3(25): error: C-style initialization requires an extension\n"
+        val verdict = Rig().verdict(events = listOf(CapturedEvent(EventKind.SHADER_DIALECT, -1, log)))
+        verdict.assertMistake(Mistake.GLSL_DRIVER)
+        assertTrue("C-style" in verdict.mistakes.single().where, verdict.text())
+        assertFalse(verdict.isReplaced)
     }
 
     @Test

@@ -155,6 +155,17 @@ class WorkerTest {
     }
 
     @Test
+    fun `a shader that only some drivers accept is told and said otherwise, and a later version is taken as it is`() {
+        val run = WorkerProcess.ofStudent("Lenient")
+        assertEquals("linked 1 later 1", run.out.trim(), "$run")
+        val dialect = run.events(EventKind.SHADER_DIALECT).single()
+        assertTrue(dialect.startsWith("fragment shader") && "error" in dialect, dialect)
+        assertEquals(emptyList<String>(), run.events(EventKind.SHADER_FAILED))
+        assertFalse(run.capture.programs.any { it.substituted })
+        assertReplays(run)
+    }
+
+    @Test
     fun `stages that do not fit together are told and replaced`() {
         val run = WorkerProcess.ofStudent("Misfit")
         assertEquals("linked 1", run.out.trim(), "$run")

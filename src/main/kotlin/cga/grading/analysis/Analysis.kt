@@ -82,6 +82,7 @@ internal class Analysis(
                 EventKind.UNIFORM_OVERWRITTEN,
                 EventKind.TEXTURE_FILE,
                 EventKind.GL_ERROR,
+                EventKind.SHADER_DIALECT,
             )
     }
 }

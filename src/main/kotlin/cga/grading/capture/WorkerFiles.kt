@@ -65,9 +65,12 @@ public object WorkerFiles {
             listOf("-cp", classPath, MAIN, run.main, run.capture.toString())
     }
 
-    /** What the worker's environment must hold: software rendering, and no more OpenGL than the course's. */
+    /**
+     * What the worker's environment must hold: software rendering, no more OpenGL than the course's, and GLSL of any version: drivers give
+     * that to who asks for OpenGL 3.3.
+     */
     public val environment: Map<String, String> =
-        mapOf("LIBGL_ALWAYS_SOFTWARE" to "1", "MESA_GL_VERSION_OVERRIDE" to "3.3", "MESA_GLSL_VERSION_OVERRIDE" to "330")
+        mapOf("LIBGL_ALWAYS_SOFTWARE" to "1", "MESA_GL_VERSION_OVERRIDE" to "3.3", "MESA_GLSL_VERSION_OVERRIDE" to "460")
 
     private fun isForThisMachine(name: String): Boolean {
         val natives = Regex("-natives-([\\w-]+)\\.jar").find(name)?.groupValues?.get(1) ?: return true

@@ -22,6 +22,7 @@ internal class EventJudge(
     fun judge() {
         book.unlit += program.unset.orEmpty()
         refused()
+        dialect()
         dead()
         beforeUse()
         absent()
@@ -36,9 +37,21 @@ internal class EventJudge(
             book.isReplaced = true
             book.unmeasured(SceneJudge.CHECKS - OrbitChecks.ALL, OrbitChecks.ALL, "A shader was refused, so nothing of this can be seen.")
         }
-        val log = logs.first().lines().filter { it.isNotBlank() }
-        val telling = listOfNotNull(log.firstOrNull(), log.find { ERROR.containsMatchIn(it) } ?: log.getOrNull(1))
-        book.found(Mistake.GLSL_DRIVER, 0.0, 1.0, telling.distinct().joinToString(": ") { it.trim() })
+        book.found(Mistake.GLSL_DRIVER, 0.0, 1.0, telling(logs.first()))
+    }
+
+    /** Shaders that only needed other words: all that they do can be seen. */
+    private fun dialect() {
+        val log = texts(EventKind.SHADER_DIALECT).firstOrNull() ?: return
+        book.spoilt(Check.ORDER, 1.0, "A shader compiles with some drivers only; it was graded all the same.")
+        if (!book.has(Mistake.GLSL_DRIVER)) book.found(Mistake.GLSL_DRIVER, 0.0, 1.0, telling(log))
+    }
+
+    /** The stage and the first error. */
+    private fun telling(log: String): String {
+        val lines = log.lines().filter { it.isNotBlank() }
+        val telling = listOfNotNull(lines.firstOrNull(), lines.find { ERROR.containsMatchIn(it) } ?: lines.getOrNull(1))
+        return telling.distinct().joinToString(": ") { it.trim() }
     }
 
     /** Where one light is divided by 0, nothing is left of the others; a light that is missing says so already. */

@@ -7,8 +7,8 @@ import org.lwjgl.opengl.GL33C.*
 import org.lwjgl.system.MemoryStack
 
 /**
- * The submission's shaders and programs. One that does not compile or link is noted and replaced by a [ShaderStub], and the submission is
- * told that all is well: so it goes on and the rest of it can be seen.
+ * The submission's shaders and programs. One that does not compile or link is noted and said again in GLSL's own [Dialect], or replaced by
+ * a [ShaderStub], and the submission is told that all is well: so it goes on and the rest of it can be seen.
  */
 internal class Programs(private val tape: Tape) {
     private val linked = HashMap<Int, Linked>()
@@ -42,8 +42,12 @@ internal class Programs(private val tape: Tape) {
     fun compiled(shader: Int) {
         replaced -= shader
         if (!glIsShader(shader) || glGetShaderi(shader, GL_COMPILE_STATUS) == GL_TRUE) return
-        val stage = glGetShaderi(shader, GL_SHADER_TYPE)
-        tape.event(EventKind.SHADER_FAILED, "${stageName(stage)} (a stand-in takes its place)\n${glGetShaderInfoLog(shader)}")
+        val stage = stageName(glGetShaderi(shader, GL_SHADER_TYPE))
+        val source = glGetShaderSource(shader)
+        val log = glGetShaderInfoLog(shader)
+        if (Dialect.of(source).any { compiles(shader, it) }) return tape.event(EventKind.SHADER_DIALECT, "$stage\n$log")
+        tape.event(EventKind.SHADER_FAILED, "$stage (a stand-in takes its place)\n$log")
+        replaced[shader] = source
         val stub = stub(shader)
         if (!compiles(shader, stub.full)) compiles(shader, stub.bare)
     }

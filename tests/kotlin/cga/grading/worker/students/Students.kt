@@ -232,6 +232,22 @@ internal class Misspelt : Painter() {
     }
 }
 
+/** Its shader is one that some drivers accept; another asks for a later version. */
+internal class Lenient : Painter() {
+    override fun start() {
+        super.start()
+        val braces = FRAGMENT.replace("void main() {", "void main() { float half2[2] = { 0.5, 0.5 };")
+        program = link(VERTEX, "\uFEFF// Malte\n$braces")
+        val later = compile(GL_FRAGMENT_SHADER, FRAGMENT.replace("330", "430"))
+        say("linked ${glGetProgrami(program, GL_LINK_STATUS)} later ${glGetShaderi(later, GL_COMPILE_STATUS)}")
+    }
+
+    companion object {
+        @JvmStatic
+        fun main(args: Array<String>): Unit = Lenient().run()
+    }
+}
+
 /** Its stages compile and do not fit together. */
 internal class Misfit : Painter() {
     override fun start() {

@@ -34,6 +34,7 @@ internal class OrbitJudge(
         OrbitAxis(book).judge(turning.map { it.turn }, sideways.map { it.turn })
         pivot(turning, sideways)
         OrbitPace(profile.radiansPerPixel, book).judge(reactions.map { it.move to it.turn })
+        swingsBack()
         afterwards()
     }
 
@@ -50,21 +51,43 @@ internal class OrbitJudge(
         late: List<Reaction>,
     ): Boolean {
         val still = turns.none { it.move.isSideways() && it.turn.angle > TURNED }
-        return still && late.size == turns.size && late.any { it.move.isSideways() && it.turn.angle > TURNED && it.turn.tilt < UPRIGHT }
+        // After the last move the motorcycle drives.
+        val undriven = late.filter { it.move != MouseMove.ALL.last() }
+        return still && late.size == turns.size && undriven.any { it.move.isSideways() && it.turn.angle > TURNED && it.turn.tilt < UPRIGHT }
     }
 
     private fun missing(reactions: List<Reaction>) {
+        val turnsMotorcycle = reactions.any { it.turn.motorcycleTurned > MOTORCYCLE_TURNED }
+        if (!turnsMotorcycle && reactions.any { it.turn.moved > TURNED }) return movedOnly()
         val what =
-            when {
-                reactions.any { it.turn.motorcycleTurned > MOTORCYCLE_TURNED } -> "The mouse turns the motorcycle, not the camera about it"
-                reactions.any { it.turn.moved > TURNED } -> "The mouse moves the camera without turning it"
-                else -> "The camera does not turn when the mouse moves, with or without Alt"
+            if (turnsMotorcycle) {
+                "The mouse turns the motorcycle, not the camera about it"
+            } else {
+                "The camera does not turn when the mouse moves, with or without Alt"
             }
         OrbitChecks.ALL.forEach { book.absent(it, "$what.") }
         // Where the mouse does something the orbit has been written, and one thing is wrong with it.
-        val isWritten = reactions.any { it.turn.motorcycleTurned > MOTORCYCLE_TURNED || it.turn.moved > TURNED }
-        val explains = if (isWritten) OrbitChecks.ALL - Check.ORBIT else emptySet()
+        val explains = if (turnsMotorcycle) OrbitChecks.ALL - Check.ORBIT else emptySet()
         book.found(Mistake.ORBIT_MISSING, 0.0, 1.0, what, explains = explains)
+    }
+
+    /** The camera does react, in a way that has no name. */
+    private fun movedOnly() {
+        (OrbitChecks.ALL - Check.ORBIT).forEach { book.measured(it, 0.0, "The camera does not turn: that costs at the orbit.") }
+        book.measured(Check.ORBIT, 1.0, "The mouse moves the camera without turning it.")
+    }
+
+    /** A camera that is where it was before, as soon as the mouse moves straight down: the last difference was taken for the sum of all. */
+    private fun swingsBack() {
+        val moments = listOf(Moment.MOUSE_FIRST to Moment.MOUSE_DOWN, Moment.ALT_HELD to Moment.ALT_DOWN)
+        for ((first, last) in moments) {
+            val before = timeline.shot(first) ?: continue
+            val aside = timeline.shot(Moment.entries[last.ordinal - 1]) ?: continue
+            val after = timeline.shot(last) ?: continue
+            if (Turn(before, aside).angle < TURNED || Turn(aside, after).angle < TURNED || Turn(before, after).angle > TURNED) continue
+            book.measured(Check.ORBIT_FACTOR, 1.0, "The camera swings back as soon as the mouse moves straight up or down.")
+            return book.found(Mistake.MOUSE_FACTOR, 0.0, 1.0, "the last movement in the place of all")
+        }
     }
 
     private fun pivot(

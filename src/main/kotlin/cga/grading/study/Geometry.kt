@@ -166,8 +166,20 @@ internal class Spaces(
                 }
             }
             val modelView =
-                (others + products(others)).firstOrNull { isProjection(whole.mul(it.invert(Matrix4d()), Matrix4d())) } ?: return null
+                (others + products(others)).firstOrNull { isProjection(whole.mul(it.invert(Matrix4d()), Matrix4d())) }
+                    ?: return if (factors.size > 2) null else joined(factors, others)
             return split(whole.mul(modelView.invert(Matrix4d()), Matrix4d()), modelView, others)
+        }
+
+        /** Projection and view, or all three, have been multiplied before they were sent. */
+        private fun joined(
+            factors: List<Matrix4d>,
+            others: List<Matrix4d>,
+        ): Spaces? {
+            val (projection, moved) = ViewProjection.of(factors[0])?.let { it.projection to it.view } ?: return null
+            if (factors.size == 2) return Spaces(projection, moved, factors[1], moved.mul(factors[1], Matrix4d()))
+            val model = others.firstOrNull { isPlace(it) && abs(it.scale() / moved.scale() - 1) < 1e-3 }
+            return Spaces(projection, model?.let { moved.mul(it.invert(Matrix4d()), Matrix4d()) }, model, moved)
         }
 
         /** Looks for the view matrix among [others]: the one that makes [modelView] with one of them. */
@@ -181,33 +193,12 @@ internal class Spaces(
                     if (isNear(view.mul(model, Matrix4d()), modelView)) return Spaces(projection, view, model, modelView)
                 }
             }
-            val view = others.firstOrNull { isPlace(it) && isEven(it.invert(Matrix4d()).mul(modelView)) && !isNear(it, modelView) }
+            val view = others.firstOrNull { isPlace(it) && it.invert(Matrix4d()).mul(modelView).isEven() && !isNear(it, modelView) }
             return Spaces(projection, view, view?.invert(Matrix4d())?.mul(modelView), modelView)
         }
 
         /** Whether [m] moves, turns and scales evenly, and moves at all: what a matrix for normals does not. */
-        private fun isPlace(m: Matrix4dc): Boolean = isEven(m) && abs(m.m30()) + abs(m.m31()) + abs(m.m32()) > 0
-
-        private fun isEven(m: Matrix4dc): Boolean {
-            val scale = m.scale()
-            val square = Matrix4d(m).setTranslation(0.0, 0.0, 0.0).let { it.mul(it.transpose(Matrix4d())) }
-            val isSimilar =
-                scale > 0 &&
-                    (0..2).all { i ->
-                        (0..2).all { j ->
-                            abs(
-                                square.get(i, j) - if (i ==
-                                    j
-                                ) {
-                                    scale * scale
-                                } else {
-                                    0.0
-                                },
-                            ) < 1e-4 * scale * scale
-                        }
-                    }
-            return isSimilar && m.m03() == 0.0 && m.m13() == 0.0 && m.m23() == 0.0 && abs(m.m33() - 1) < 1e-9
-        }
+        private fun isPlace(m: Matrix4dc): Boolean = m.isEven() && abs(m.m30()) + abs(m.m31()) + abs(m.m32()) > 0
 
         private val VIEW_NAME = Regex("view|cam", RegexOption.IGNORE_CASE)
 
@@ -229,4 +220,17 @@ internal class Spaces(
             return abs(w + 1) < 1e-3 && mustVanish.all { abs(it) < 1e-4 } && m.m00() != 0.0 && m.m11() != 0.0
         }
     }
+}
+
+/** Whether this matrix turns, moves and scales alike in all directions, and does nothing else, up to the rounding of floats. */
+internal fun Matrix4dc.isEven(): Boolean {
+    val scale = scale()
+    val square = Matrix4d(this).setTranslation(0.0, 0.0, 0.0).let { it.mul(it.transpose(Matrix4d())) }
+
+    fun isNear(
+        i: Int,
+        j: Int,
+    ) = abs(square.get(i, j) - if (i == j) scale * scale else 0.0) < 1e-4 * scale * scale
+    return scale > 0 && (0..2).all { i -> (0..2).all { j -> isNear(i, j) } } &&
+        m03() == 0.0 && m13() == 0.0 && m23() == 0.0 && abs(m33() - 1) < 1e-9
 }

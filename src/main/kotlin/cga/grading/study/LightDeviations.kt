@@ -43,7 +43,9 @@ internal object LightDeviations {
             val why = if (mistake == Mistake.UNKNOWN) attenuationText(light, study) else ""
             found += Deviation(mistake, light.name, fit, 1.0, check = attenuationCheck(light, mistake, study), why = why)
         }
-        return if (isStrange(light)) found else found + HighlightDeviations.of(light, study)
+        val highlight = if (isStrange(light)) emptyList() else HighlightDeviations.of(light, study)
+        val isTold = !isLawless(light) || study.shining.all(::isLawless)
+        return found + highlight.filter { isTold || it.mistake != Mistake.UNKNOWN }
     }
 
     /**
@@ -95,8 +97,11 @@ internal object LightDeviations {
         else -> Check.ATTENUATION_FORM
     }
 
-    /** Whether no law of distance comes near what [light] does: nothing else that was measured of it means anything. */
-    fun isStrange(light: LightModel): Boolean = light.cone == null && light.attenuation?.error?.let { it >= STRANGE } == true
+    /** Whether no law of distance comes near what [light] does: then its highlight cannot be told from how it fades. */
+    fun isLawless(light: LightModel): Boolean = light.attenuation?.error?.let { it >= LAWLESS } == true
+
+    /** Whether [light] is dark where it should shine by any law of distance: nothing else that was measured of it means anything. */
+    fun isStrange(light: LightModel): Boolean = light.cone == null && light.attenuation?.error?.isInfinite() == true
 
     private fun attenuationText(
         light: LightModel,
@@ -105,7 +110,7 @@ internal object LightDeviations {
         val copied = study.distanceOf(light)
         return when {
             copied != null -> "it fades with the distance of ${copied.name}"
-            light.attenuation?.isTwice == true -> "it fades with the square of F"
+            light.attenuation?.isTwice == true && !isLawless(light) -> "it fades with the square of F"
             else -> ""
         }
     }
@@ -131,7 +136,5 @@ internal object LightDeviations {
     /** What floats and a triangle's middle leave is below 1e-4; a wrong vector changes a tenth and more. */
     private const val INTERPOLATED = 0.01
     private const val TOLERATED = 5e-3
-
-    /** A strength that is nowhere near the fit's; 1 where there is no light at all where there should be. */
-    private const val STRANGE = 0.9
+    private const val LAWLESS = 0.5
 }

@@ -2,10 +2,15 @@ package cga.grading.study
 
 import org.joml.Vector3d
 
-/** The lights of a program and what its textures do for them. */
+/**
+ * The lights of a program and what its textures do for them.
+ *
+ * @param isPlaced whether what is taken for the diffuse term says where light comes from.
+ */
 internal class Lit(
     val probes: List<LightProbe>,
     val roles: TextureRoles?,
+    val isPlaced: Boolean = true,
 ) {
     companion object {
         private const val TEXTURED = 0.5
@@ -36,7 +41,9 @@ internal class Lit(
             val first = all.firstOrNull() ?: return Lit(probes, null)
             val seen = if (first.roles.untextured < TEXTURED) first else all.firstOrNull { it.roles.untextured < TEXTURED } ?: first
             shared(seen, white, box, colors, probes)?.let { return it }
-            return Lit(probes, if (isExchanged(seen, search)) seen.roles.exchanged() else seen.roles)
+            if (isPlaced(seen, search)) return Lit(probes, seen.roles)
+            val isExchanged = isExchanged(seen, search)
+            return Lit(probes, if (isExchanged) seen.roles.exchanged() else seen.roles, isPlaced = isExchanged)
         }
 
         /** The same without the highlights, where these have no texture of their own. */
@@ -54,25 +61,31 @@ internal class Lit(
             return Lit(probes.map { LightProbe(box, it.slot, colors, matte = matte) }, roles.shared())
         }
 
+        /** False where there is a diffuse term whose directions meet nowhere. */
+        private fun isPlaced(
+            seen: Seen,
+            search: LightSearch,
+        ): Boolean {
+            val roles = seen.roles
+            if (roles.diffuse == null || roles.specular == null || roles.peak != Peak.DIFFUSE) return true
+            val placed = search.place(seen.probe, seen.points, roles.onlyDiffuse)
+            return placed != null && placed.error < Placement.ACCEPTED * 5
+        }
+
         /**
-         * Whether what looks like the diffuse term, a cosine without an exponent, is that with the half vector: its directions meet nowhere,
-         * and the term with the exponent is brightest where the normal points to the light.
+         * Whether what looks like the diffuse term, a cosine without an exponent, is that with the half vector: the term with the exponent is
+         * brightest where the normal points to the light.
          */
         private fun isExchanged(
             seen: Seen,
             search: LightSearch,
         ): Boolean {
-            val roles = seen.roles
-            if (roles.diffuse == null || roles.specular == null || roles.peak != Peak.DIFFUSE) return false
-            val placed = search.place(seen.probe, seen.points, roles.onlyDiffuse)
-            if (placed != null && placed.error < Placement.ACCEPTED * 5) return false
-
             fun place(
                 texels: Map<String, Double>,
                 peak: Peak,
             ) = HintPlacement.of(seen.probe, search.hints, seen.points, texels, peak)?.view
-            val shining = place(roles.onlyDiffuse, Peak.SPECULAR) ?: return false
-            return (place(roles.onlySpecular, Peak.POWER) ?: return false).distance(shining) < NEAR
+            val shining = place(seen.roles.onlyDiffuse, Peak.SPECULAR) ?: return false
+            return (place(seen.roles.onlySpecular, Peak.POWER) ?: return false).distance(shining) < NEAR
         }
 
         private class Seen(

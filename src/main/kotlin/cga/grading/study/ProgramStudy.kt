@@ -86,28 +86,21 @@ internal class ProgramStudy(
         ): ProgramStudy {
             val (box, formula) = box(rig, program, capture, number, draw)
             val surface = surface(box, formula, DrawVertices(capture, draw))
-            val look = FirstLook.of(box, surface)
+            val usual = sight(box, surface)
+            // What a shader adds to normals (the translation of a 4 × 4 matrix) is nothing beside long ones.
+            val long = if (usual.isOdd) sight(box.withNormalLength(LONG), surface) else usual
+            val sight = if (long.isOdd) usual else long
+            val (look, colors, lit) = sight
             val decoded = look.box
             val search = look.search
             val samples = LightSearch(decoded, surface).samples(LightSearch.FEW_DIRECTIONS)
-            val colors = if (program.deep.isEmpty()) look.colors else HiddenLights.added(decoded, look.colors, samples)
-            val usual = Lit.of(decoded, colors, search)
-            // What a shader adds to normals (the translation of a 4 × 4 matrix) is nothing beside long ones.
-            val long = if (usual.roles != null &&
-                usual.roles.diffuse == null
-            ) {
-                Lit.of(decoded.withNormalLength(LONG), colors, search)
-            } else {
-                usual
-            }
-            val lit = if (long.roles?.diffuse != null) long else usual
             val roles = lit.roles
             val lights = if (roles == null) emptyList() else lit.probes.mapNotNull { LightStudy(search, roles).of(it) }
             val emission = EmissionStudy.of(decoded, colors, roles)
             return ProgramStudy(
                 number, decoded, formula, colors, roles, decoded.exponent, lights, emission,
                 SilentLights.of(decoded, colors, surface, roles),
-                lit !== usual,
+                sight !== usual,
                 colors.lights.isNotEmpty() && isAwake(
                     box,
                     decoded,
@@ -117,6 +110,26 @@ internal class ProgramStudy(
                 sentValues(capture, number, draw), look.deadly, surface,
                 Representative.other(capture, number, formula, decoded),
             )
+        }
+
+        /** What is seen of a program before its lights are studied one by one. */
+        private data class Sight(
+            val look: FirstLook,
+            val colors: ColorSlots,
+            val lit: Lit,
+        ) {
+            /** Whether there is a light, and nothing that tells where it comes from. */
+            val isOdd: Boolean get() = lit.roles != null && (lit.roles.diffuse == null || !lit.isPlaced)
+        }
+
+        private fun sight(
+            box: BlackBox,
+            surface: List<Vector3d>,
+        ): Sight {
+            val look = FirstLook.of(box, surface)
+            val samples = LightSearch(look.box, surface).samples(LightSearch.FEW_DIRECTIONS)
+            val colors = if (box.program.deep.isEmpty()) look.colors else HiddenLights.added(look.box, look.colors, samples)
+            return Sight(look, colors, Lit.of(look.box, colors, look.search))
         }
 
         /** The black box of [draw]. */

@@ -31,9 +31,10 @@ internal object StudyChecks {
 
         val lights = studies.flatMap { it.shining }.filter { it.placement != null }
         val spots = lights.filter { it.cone != null }
+        val highlights = lights.filterNot(LightDeviations::isLawless).ifEmpty { lights }.mapNotNull { it.highlight?.fit?.error }
         return listOf(
             measured(Check.DIFFUSE, mistakes, lights.map { it.cosineError }, "clamped cosine between normal and light"),
-            measured(Check.SPECULAR, mistakes, lights.mapNotNull { it.highlight?.fit?.error }, "power of a cosine with the exponent sent"),
+            measured(Check.SPECULAR, mistakes, highlights, "power of a cosine with the exponent sent"),
             measured(
                 Check.NORMALS,
                 mistakes,
@@ -71,7 +72,7 @@ internal object StudyChecks {
                 },
                 "${lights.size} lights",
             ),
-            measured(Check.HALF_VECTOR, mistakes, lights.mapNotNull { it.highlight?.fit?.error }, "half vector of unit vectors"),
+            measured(Check.HALF_VECTOR, mistakes, highlights, "half vector of unit vectors"),
         )
     }
 

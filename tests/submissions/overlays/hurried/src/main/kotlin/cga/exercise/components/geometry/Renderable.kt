@@ -1,0 +1,5 @@
+package cga.exercise.components.geometry
+
+class Renderable {
+    val meshes = ArrayList<Mesh>()
+}

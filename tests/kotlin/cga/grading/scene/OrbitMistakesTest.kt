@@ -26,7 +26,22 @@ class OrbitMistakesTest {
 
     @Test
     fun `the mouse pushes the camera aside`() {
-        turning { rig, dx, _ -> rig.camera.translateLocal(Vector3f(dx, 0f, 0f)) }.assertMistake(Mistake.ORBIT_MISSING, *all, least = 1.0)
+        val verdict = turning { rig, dx, _ -> rig.camera.translateLocal(Vector3f(dx, 0f, 0f)) }
+        assertEquals(emptyList<Mistake>(), verdict.mistakes.map { it.mistake }, verdict.text())
+        verdict.assertCosts(Check.ORBIT, least = 1.0)
+    }
+
+    @Test
+    fun `the angle is that of the last movement and not of all`() {
+        val rig = object : Rig() {
+            private var last = 0.0
+
+            override fun orbit(dx: Double, dy: Double) {
+                camera.rotateAroundPoint(0f, (-0.002 * (dx - last)).toFloat(), 0f, Vector3f())
+                last = dx
+            }
+        }
+        rig.verdict().assertMistake(Mistake.MOUSE_FACTOR, least = 1.0)
     }
 
     @Test

@@ -24,7 +24,6 @@ internal object Dialect {
 
     private val VERSION = Regex("""^\s*#\s*version\b""")
     private val EXTENSIONS =
-        listOf(
-            "GL_ARB_shading_language_420pack", "GL_ARB_explicit_uniform_location", "GL_ARB_separate_shader_objects", "GL_ARB_gpu_shader5",
-        )
+        listOf("GL_ARB_shading_language_420pack", "GL_ARB_explicit_uniform_location") +
+            listOf("GL_ARB_separate_shader_objects", "GL_ARB_gpu_shader5")
 }

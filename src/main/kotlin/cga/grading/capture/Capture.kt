@@ -171,9 +171,6 @@ public enum class EventKind {
     /** OpenGL reported an error; the text is its name and the function. */
     GL_ERROR,
 
-    /** A shader did not compile as it is, and did when it was said in other words; the text is the stage and the driver's log. */
-    SHADER_DIALECT,
-
     /** A shader did not compile; the text is the stage and the driver's log. */
     SHADER_FAILED,
 
@@ -200,4 +197,7 @@ public enum class EventKind {
      * with a space between them.
      */
     TEXTURE_FILE,
+
+    /** A shader did not compile as it is, and did when it was said in other words; the text is the stage and the driver's log. */
+    SHADER_DIALECT,
 }

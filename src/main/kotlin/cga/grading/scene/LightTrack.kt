@@ -19,7 +19,7 @@ internal class LightTrack(
     val isSpot: Boolean get() = cone != null
 
     /** Whether it hangs on the camera: fixed to it, though what is sent went through the view matrix. */
-    val isOnCamera: Boolean get() = placed.place == Place.CONSTANT && last.isViewed
+    val isOnCamera: Boolean get() = placed.place == Place.CONSTANT && last.isViewed && placed.holding.none { it.right }
 
     /** Whether it ever gives light. */
     val shines: Boolean = states.values.any { it.color.maxAbs() > DARK }

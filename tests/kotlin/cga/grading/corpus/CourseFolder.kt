@@ -100,7 +100,7 @@ internal object CourseFolder {
             hostile("crash", "crashed"),
             hostile("memory", "out-of-memory"),
             hostile("threads", "too-many-processes"),
-            spoiled("cut-off", "does-not-compile") { it.dropLast(it.length / 2) },
+            spoiled("cut-off", "not-recognised|does-not-compile") { it.dropLast(it.length / 2) },
             hostile("exit amid", "exited"),
             hostile("disk", "too-much-output"),
             hostile("throw amid", "graded"),

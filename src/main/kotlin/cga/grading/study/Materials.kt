@@ -71,7 +71,7 @@ internal class Materials(
         val roles = study.roles ?: return null
         val diffuse = texture(draw, roles.diffuse) ?: return null
         if (draw.mode != GL_TRIANGLES || draw.instances != 1) return null
-        val values = study.box.program.constants + draw.uniforms.associate { it.name to it.numbers }
+        val values = study.box.program.values(draw)
         val spaces = Spaces.of(study.formula, study.box.program.matrices.filter { it in values }, values) ?: return null
         val normal = normal(draw, study.formula.positionLocation) ?: return null
         val coords = texCoords(draw, study, lit(draw.program, values)) ?: return null

@@ -54,7 +54,7 @@ internal class Observations(
 
     private fun look(draw: CapturedDraw): Seen? {
         val study = studies[draw.program] ?: return null
-        val values = study.box.program.constants + draw.uniforms.associate { it.name to it.numbers }
+        val values = study.box.program.values(draw)
         val spaces = Spaces.of(study.formula, study.box.program.matrices.filter { it in values }, values) ?: return null
         return Seen(draw, spaces, values, study)
     }

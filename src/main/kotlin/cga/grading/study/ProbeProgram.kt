@@ -1,6 +1,7 @@
 package cga.grading.study
 
 import cga.framework.InputError
+import cga.grading.capture.CapturedDraw
 import cga.grading.capture.CapturedProgram
 import org.lwjgl.opengl.GL33C.*
 import org.lwjgl.system.MemoryStack
@@ -63,6 +64,9 @@ internal class ProbeProgram(
         glUseProgram(id)
         uniforms.filter { it.isSampler }.forEachIndexed { unit, sampler -> glUniform1i(sampler.location, unit) }
     }
+
+    /** All values of uniforms in [draw], those of the lifted constants among them. */
+    fun values(draw: CapturedDraw): Map<String, FloatArray> = constants + draw.uniforms.associate { it.name to it.numbers }
 
     /** The samplers; number i reads texture unit i. */
     val samplers: List<ActiveUniform> get() = uniforms.filter { it.isSampler }

@@ -141,7 +141,7 @@ internal class ProgramStudy(
             draw: CapturedDraw,
         ): Pair<BlackBox, GeometryFormula> {
             val active = capture.programs[number].attributes.values
-            val values = program.constants + draw.uniforms.associate { it.name to it.numbers }
+            val values = program.values(draw)
             val formula =
                 GeometryFormula.of(rig, program, active, values)
                     ?: throw InputError("no vertex attribute moves the vertices of program $number")

@@ -42,7 +42,7 @@ internal object Representative {
         val model = box.spaces.model ?: return null
         val draws = capture.frames.flatMap { it.steps }.filterIsInstance<CapturedDraw>().filter { it.program == number }
         return draws.asReversed().asSequence().take(MOST).firstNotNullOfOrNull { draw ->
-            val values = box.program.constants + draw.uniforms.associate { it.name to it.numbers }
+            val values = box.program.values(draw)
             val spaces = Spaces.of(formula, box.program.matrices.filter { it in values }, values)
             spaces?.takeIf { it.view == box.spaces.view && it.model?.equals(model, APART) == false }?.let { box.drawn(it, values) }
         }

@@ -18,6 +18,9 @@ import kotlin.io.path.writeText
 internal object Corpus {
     private val home: Path = projectRoot.toPath().resolve("tests/submissions")
 
+    /** What makes a project one of the later edition. */
+    private val LATER = setOf("later", "way-edition-structs")
+
     /** The file that lists the correct submissions. */
     val correctList: Path = home.resolve("correct.txt")
     private val course: Sources = readSources(home.resolve("course"))
@@ -101,7 +104,7 @@ internal object Corpus {
         }
     }
 
-    private fun edition(parts: List<String>) = if ("later" in parts) Edition.LATER else Edition.SHEET
+    private fun edition(parts: List<String>) = if (parts.any { it in LATER }) Edition.LATER else Edition.SHEET
 
     private fun readAll(folder: String): Map<String, Rewrite> {
         val all = home.resolve(folder).listDirectoryEntries("*.txt").sorted().flatMap(reader::read)

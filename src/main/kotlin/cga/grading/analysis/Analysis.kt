@@ -9,6 +9,7 @@ import cga.grading.replay.Replay
 import cga.grading.scene.SceneJudge
 import cga.grading.scene.SceneProfile
 import cga.grading.study.ShaderStudy
+import cga.grading.substitute.Substitutes
 import java.nio.file.Path
 
 /**
@@ -27,11 +28,12 @@ internal class Analysis(
         checkRun()
         return Replay(capture).use { replay ->
             Reproduction.check(capture, replay)
-            ShaderStudy.of(capture).use { study ->
-                val observed = capture.frames.mapNotNull(study::observe)
+            val substitutes = Substitutes.of(capture)
+            ShaderStudy.of(substitutes.capture).use { study ->
+                val observed = substitutes.capture.frames.mapNotNull(study::observe)
                 val profile = if (edition == "2022") SceneProfile.LATER else SceneProfile.SHEET
                 val facts = CaptureFacts(capture)
-                val scene = SceneJudge.judge(observed, capture.events, profile, facts.uniforms, facts.program(study))
+                val scene = SceneJudge.judge(observed, capture.events, profile, facts.uniforms, facts.program(study, substitutes))
                 val verdict = Verdict.of(ShadingVerdict(study.checks, study.mistakes), scene)
                 val pictures =
                     folder?.let {

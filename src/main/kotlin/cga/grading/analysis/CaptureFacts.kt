@@ -4,6 +4,7 @@ import cga.grading.capture.Capture
 import cga.grading.capture.CapturedDraw
 import cga.grading.scene.ProgramFacts
 import cga.grading.study.ShaderStudy
+import cga.grading.substitute.Substitutes
 import org.lwjgl.opengl.GL33C.GL_BOOL
 import org.lwjgl.opengl.GL33C.GL_INT
 import org.lwjgl.opengl.GL33C.GL_SAMPLER_2D
@@ -16,13 +17,18 @@ internal class CaptureFacts(private val capture: Capture) {
     val uniforms: Set<String> = draws.flatMap { it.uniforms }.map { it.name }.toSet()
 
     /** For the scene judge, with what [study] found out. */
-    fun program(study: ShaderStudy): ProgramFacts =
+    fun program(
+        study: ShaderStudy,
+        substitutes: Substitutes,
+    ): ProgramFacts =
         ProgramFacts(
             unset = unset { it !in WHOLE },
             idle = unset { it == GL_INT || it == GL_BOOL },
             declares = UniformDeclarations(capture.programs.flatMap { listOf(it.vertexSource, it.fragmentSource) }, uniforms)::declares,
             drawn = capture.frames.filter { frame -> frame.steps.any { it is CapturedDraw } }.map { it.moment }.toSet(),
             isReplaced = draws.isNotEmpty() && draws.all { capture.programs[it.program].substituted },
+            isRead = substitutes.isRead,
+            isReadWhole = substitutes.isWhole,
             canCone = study.canCone,
             deadly = study.deadly,
         )

@@ -31,6 +31,8 @@ internal class Quarrel(
             // It has seen the numbers arrive, of the one light that it looked at.
             Mistake.CONE_NEVER_SENT ->
                 sceneVerdict[Check.CONE].isRight() && sceneVerdict[Check.SPOT_DIRECTION].isRight() && !isOfOthers(found)
+            // Lights that come after a test for the cone end at its edge, too.
+            Mistake.CONE_HARD_EDGE -> isOfOthers(found) && seen.any { it.mistake == Mistake.UNKNOWN }
             in CONE -> sceneVerdict.mistakes.any(::breaksTie)
             else -> false
         }

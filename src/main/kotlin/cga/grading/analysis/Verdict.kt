@@ -88,8 +88,8 @@ internal class Verdict private constructor(
             checks: List<Measured>,
         ): Found {
             if (cause.mistake == Mistake.UNKNOWN) return cause
-            // Behind a stand-in nothing has been seen: that is no reason for points.
-            if (cause.mistake == Mistake.GLSL_DRIVER) return copy(cause, emptySet())
+            // All that could be seen was seen: that is no reason for points.
+            if (cause.mistake == Mistake.GLSL_DRIVER || cause.mistake == Mistake.SHADER_REFUSED) return copy(cause, emptySet())
             val absent = checks.filter { !it.found }.map { it.check }.toSet()
             val traces = all.filter { it !== cause && VerdictTraces.isTrace(it, cause) }.flatMap { VerdictTraces.checks(it.mistake) }
             val isMissing = VerdictTraces.saysMissing(cause.mistake) || VerdictTraces.isLoss(cause)

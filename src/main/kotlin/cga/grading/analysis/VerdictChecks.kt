@@ -4,7 +4,6 @@ import cga.grading.findings.Check
 import cga.grading.findings.Found
 import cga.grading.findings.Measured
 import cga.grading.findings.Mistake
-import cga.grading.scene.OrbitChecks
 import cga.grading.scene.SceneVerdict
 
 /**
@@ -20,11 +19,7 @@ internal class VerdictChecks(
     fun all(): List<Measured> = Check.entries.map(::merged)
 
     private fun merged(check: Check): Measured {
-        if (scene.isReplaced &&
-            check !in OrbitChecks.ALL
-        ) {
-            return Measured(check, null, "A shader was refused, so nothing of this can be seen.")
-        }
+        if (scene.isReplaced) return scene[check] ?: Measured(check, null, "A shader was refused, so nothing of this can be seen.")
         val shaders = shaders(check)
         val staging = staging(check, shaders)
         val worse = listOfNotNull(staging, shaders).filter { it.error != null }.maxByOrNull { it.error ?: 0.0 }

@@ -83,6 +83,7 @@ public enum class Mistake(
     // Anywhere
     GAMMA_DIRECTION("gamma-wrong-direction", Check.MATERIAL),
     GLSL_DRIVER("glsl-only-some-drivers", Check.ORDER),
+    SHADER_REFUSED("shader-refused", Check.ORDER),
     KOTLIN_REFUSED("kotlin-refused", Check.ORDER),
     UNKNOWN("unknown", Check.DIFFUSE),
 }

@@ -55,7 +55,7 @@ internal fun disturbedBy(mistake: Mistake): Set<Check> =
             SURFACE + ATTENUATION + setOf(MATERIAL, EMISSION, GROUND_COLOR, MOTORCYCLE_COLOR, LIGHT_COLOR, CONE)
         Mistake.LIGHTS_AFTER_DRAWS, Mistake.UNIFORM_BEFORE_USE ->
             SPOT + setOf(POINT_LIGHT, POINT_LIGHT_CHILD, POINT_LIGHT_POSITION, LIGHT_COLOR, MOTORCYCLE_COLOR, MORE_LIGHTS_SHADING)
-        Mistake.UNIFORM_ABSENT, Mistake.GLSL_DRIVER -> PLACE + SPOT + setOf(LIGHT_COLOR, MOTORCYCLE_COLOR)
+        Mistake.UNIFORM_ABSENT -> PLACE + SPOT + setOf(LIGHT_COLOR, MOTORCYCLE_COLOR)
         Mistake.LIGHT_MISSING -> SURFACE + ATTENUATION + setOf(LIGHT_COLOR)
         Mistake.LIGHT_NOT_CHILD -> setOf(POINT_LIGHT_POSITION)
         Mistake.SPOT_MISSING -> setOf(ATTENUATION_SPOT)
@@ -82,7 +82,7 @@ internal fun disturbedBy(mistake: Mistake): Set<Check> =
         Mistake.MORE_LIGHTS_MISSING, Mistake.MORE_LIGHTS_ALIKE -> emptySet()
         Mistake.LATER_LIGHTS_FIRST_COSINE -> SPOT + ATTENUATION + HALF_VECTOR
         Mistake.LATER_LIGHTS_FIRST_COLOR -> setOf(CONE_SPECULAR, HALF_VECTOR)
-        Mistake.KOTLIN_REFUSED, Mistake.UNKNOWN -> emptySet()
+        Mistake.GLSL_DRIVER, Mistake.SHADER_REFUSED, Mistake.KOTLIN_REFUSED, Mistake.UNKNOWN -> emptySet()
     }
 
 /** The checks that [mistake] may belong to, by which of the lights has it; that of its nature first. */

@@ -11,11 +11,13 @@ import cga.grading.findings.Mistake
  * does not need.
  *
  * @param uniforms the programs' active uniforms, to tell what a misspelt name was meant to be.
+ * @param lights all lights that shine.
  */
 internal class EventJudge(
     private val events: List<CapturedEvent>,
     private val uniforms: Set<String>,
     private val program: ProgramFacts,
+    private val lights: List<LightTrack>,
     private val book: Notebook,
 ) {
     /** To be called when everything else has been judged. */
@@ -24,27 +26,28 @@ internal class EventJudge(
         refused()
         dialect()
         dead()
+        unplaced()
         beforeUse()
         absent()
         for (text in texts(EventKind.GL_ERROR)) book.note("OpenGL reported $text.")
     }
 
-    /** Shaders that the driver refused: behind the stand-ins nothing of the lights can be seen, and of the rest what the vertex stage shows. */
+    /** Shaders that the driver refused: what stands in for them shows nothing of the submission's shading, and of the rest what was understood. */
     private fun refused() {
-        val logs = texts(EventKind.SHADER_FAILED) + texts(EventKind.LINK_FAILED)
-        if (logs.isEmpty()) return
+        val log = events.firstOrNull { it.kind == EventKind.SHADER_FAILED || it.kind == EventKind.LINK_FAILED }?.text ?: return
         if (program.isReplaced) {
             book.isReplaced = true
-            book.unmeasured(SceneJudge.CHECKS - OrbitChecks.ALL, OrbitChecks.ALL, "A shader was refused, so nothing of this can be seen.")
+            val hidden = SceneJudge.CHECKS.filter { it == Check.CONE || !program.isRead || (!program.isReadWhole && (book.error(it) ?: 0.0) > SOUND) } - OrbitChecks.ALL
+            book.unmeasured(hidden, SceneJudge.CHECKS - hidden.toSet(), "A shader was refused, so nothing of this can be seen.")
         }
-        book.found(Mistake.GLSL_DRIVER, 0.0, 1.0, telling(logs.first()))
+        book.found(Mistake.SHADER_REFUSED, 0.0, 1.0, telling(log))
     }
 
     /** Shaders that only needed other words: all that they do can be seen. */
     private fun dialect() {
         val log = texts(EventKind.SHADER_DIALECT).firstOrNull() ?: return
         book.spoilt(Check.ORDER, 1.0, "A shader compiles with some drivers only; it was graded all the same.")
-        if (!book.has(Mistake.GLSL_DRIVER)) book.found(Mistake.GLSL_DRIVER, 0.0, 1.0, telling(log))
+        book.found(Mistake.GLSL_DRIVER, 0.0, 1.0, telling(log))
     }
 
     /** The stage and the first error. */
@@ -62,6 +65,16 @@ internal class EventJudge(
         if (book.missing.isNotEmpty()) return book.note(text)
         book.spoilt(Check.POINT_LIGHT, 1.0, text)
         book.lacks("the numbers of $names", setOf(Check.POINT_LIGHT, Check.MORE_LIGHTS, Check.MORE_LIGHTS_SHADING), emptySet())
+    }
+
+    /** Lights whose place never arrives stand where the world begins: that is no will of the submission's. */
+    private fun unplaced() {
+        val places = lights.mapNotNull { it.last.placedBy }.filter { it in program.unset.orEmpty() }.ifEmpty { return }
+        book.lacks(
+            places.joinToString(),
+            setOf(Check.POINT_LIGHT_CHILD, Check.POINT_LIGHT_POSITION, Check.SPOT_LIGHT_CHILD, Check.MORE_LIGHTS),
+            setOf(Mistake.LIGHT_NOT_CHILD, Mistake.SPOT_NOT_CHILD, Mistake.LIGHT_IN_GROUND, Mistake.MORE_LIGHTS_ALIKE),
+        )
     }
 
     private fun absent() {
@@ -127,6 +140,9 @@ internal class EventJudge(
 
     private companion object {
         const val MOST_TEXTS = 64
+
+        /** An error that every tolerance of the rubric allows. */
+        const val SOUND = 0.01
         val ERROR = Regex("\\berror\\b", RegexOption.IGNORE_CASE)
 
         /** Letters at both ends that two names for one thing share at least: `Pos`, `bikeCol`. */

@@ -54,7 +54,10 @@ internal class LightRoles(
             // Many may ride along; the motorcycle's colour tells which is meant, then how near it is.
             val riding = points.filter { it.rides() }
             if (timeline.cast.driven && riding.isNotEmpty()) return riding.find { it.changesColor } ?: riding.minBy(near)
-            return points.find { it.changesColor } ?: points.filter { near(it) <= MEANT * cameraDistance(timeline) }.minByOrNull(near)
+            val nearest = points.minByOrNull(near)?.takeIf { near(it) <= MEANT * cameraDistance(timeline) }
+            // One of many around the motorcycle is none of its own.
+            val isAmong = nearest != null && points.any { it !== nearest && near(it) < APART * near(nearest) }
+            return points.find { it.changesColor } ?: nearest?.takeUnless { isAmong }
         }
 
         private fun LightTrack.rides() = placed.place?.rides == true
@@ -71,6 +74,9 @@ internal class LightRoles(
             val places = listOf(shot.world(state), Vector3d(state.position))
             return places.minOf { it.distance(shot.motorcycle.translation()) }
         }
+
+        /** How many times further away than its own light all others are. */
+        private const val APART = 1.5
 
         /** A light that stays in the world is taken for the motorcycle's where it is no further away than this many times the camera. */
         private const val MEANT = 3.0

@@ -17,12 +17,16 @@ import org.joml.Vector3d
  * @param canCone whether the shaders could limit a light to a cone, while none has one.
  * @param deadly uniforms that nobody sends and that leave no number of the picture: something is divided by them.
  * @param isReplaced whether all that is drawn is drawn by stand-ins for shaders that the driver refused.
+ * @param isRead whether the sheet's own lighting could take their place, so that all but the shading can be seen; [isReadWhole] whether it
+ * is clear what each number that was sent means, so that what cannot be seen is not there.
  */
 public class ProgramFacts(
     public val unset: Set<String>? = null,
     public val declares: (String) -> Boolean = { false },
     public val drawn: Set<Moment> = emptySet(),
     public val isReplaced: Boolean = false,
+    public val isRead: Boolean = false,
+    public val isReadWhole: Boolean = false,
     public val canCone: Boolean = false,
     public val deadly: Set<String> = emptySet(),
     public val idle: Set<String> = emptySet(),
@@ -71,11 +75,11 @@ public object SceneJudge {
         program: ProgramFacts = ProgramFacts(),
     ): SceneVerdict {
         val book = Notebook()
-        val eventJudge = EventJudge(events, uniforms, program, book)
         val settled = GroundSpace.settle(frames)
         val timeline = Timeline(settled, Casting(settled).cast())
         if (timeline.laterShots.isEmpty()) nothing(book, frames) else judge(timeline, events, profile, program, book)
-        eventJudge.judge()
+        val lights = LightTrack.all(settled).filter { it.shines }
+        EventJudge(events, uniforms, program, lights, book).judge()
         return book.verdict()
     }
 

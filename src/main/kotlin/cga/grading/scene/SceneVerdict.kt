@@ -165,6 +165,7 @@ internal class Notebook {
     private companion object {
         val TELLING =
             listOf(
+                Mistake.SHADER_REFUSED,
                 Mistake.GLSL_DRIVER,
                 Mistake.UNIFORM_BEFORE_USE,
                 Mistake.UNIFORM_ABSENT,

@@ -3,10 +3,14 @@ package cga.grading.study
 import org.joml.Vector3d
 import org.joml.Vector3dc
 import org.lwjgl.opengl.GL33C.GL_FLOAT
+import org.lwjgl.opengl.GL33C.GL_FLOAT_VEC2
+import org.lwjgl.opengl.GL33C.GL_FLOAT_VEC3
+import org.lwjgl.opengl.GL33C.GL_FLOAT_VEC4
 import org.lwjgl.opengl.GL33C.GL_INT
 import kotlin.math.PI
 import kotlin.math.abs
 import kotlin.math.exp
+import kotlin.math.ln
 import kotlin.math.max
 import kotlin.random.Random
 
@@ -46,8 +50,8 @@ internal class HighlightStudy(
         return (if (fit.lightReversed) l.negate() else l).add(eye.normalize()).normalize()
     }
 
-    /** The uniform number that changes how fast the highlight falls off. */
-    private fun exponentSlot(fit: HighlightFit): ActiveUniform? {
+    /** The number sent that changes how fast the highlight falls off: one by itself, or else one of a vector. */
+    private fun exponentSlot(fit: HighlightFit): ExponentSlot? {
         val samples =
             inside.flatMap { p ->
                 val h = centre(p, fit)
@@ -59,13 +63,21 @@ internal class HighlightStudy(
             return DoubleArray(inside.size) { s[2 * it + 1] / s[2 * it] }
         }
         val usual = falloff(emptyMap())
-        return probe.box.program.uniforms.filter { it.type == GL_FLOAT || it.type == GL_INT }.firstOrNull { slot ->
-            val value = probe.box.values[slot.name]?.firstOrNull() ?: 1f
-            // A small whole number is a count of lights or an index: not to be driven out of its array.
-            if (slot.type == GL_INT && value < 8) return@firstOrNull false
-            val changed = falloff(mapOf(slot.name to floatArrayOf(value * 1.3f + 0.5f)))
-            usual.indices.any { abs(changed[it] - usual[it]) > 1e-3 * abs(usual[it]) && changed[it].isFinite() }
+
+        fun isFollowed(slot: ExponentSlot, isAlone: Boolean): Boolean {
+            val numbers = probe.box.values[slot.name] ?: FloatArray(1) { 1f }
+            val more = numbers.clone().also { it[slot.component] = it[slot.component] * 1.3f + 0.5f }
+            val changed = falloff(mapOf(slot.name to more))
+            if (usual.indices.none { abs(changed[it] - usual[it]) > 1e-3 * abs(usual[it]) && changed[it].isFinite() }) return false
+            // Another exponent is the same power of what there was everywhere; another place of the light is not.
+            val powers = usual.indices.map { ln(changed[it]) / ln(usual[it]) }
+            return isAlone || powers.all { abs(it - powers[0]) < 1e-2 * abs(powers[0]) }
         }
+        val (single, vectors) = probe.box.program.uniforms.partition { it.type in NUMBERS }
+        val parts = vectors.filter { it.type in VECTORS }.flatMap { slot -> List(slot.components) { ExponentSlot(slot.name, it) } }
+        // A small whole number is a count of lights or an index: not to be driven out of its array.
+        val alone = single.filter { it.type == GL_FLOAT || (probe.box.values[it.name]?.firstOrNull() ?: 1f) >= 8 }.map { ExponentSlot(it.name, 0) }
+        return alone.firstOrNull { isFollowed(it, isAlone = true) } ?: parts.firstOrNull { isFollowed(it, isAlone = false) }
     }
 
     /** Compares the strength of the highlight with that of the diffuse term inside and outside of the cone, near and far. */
@@ -132,6 +144,8 @@ internal class HighlightStudy(
     }
 
     private companion object {
+        val NUMBERS = setOf(GL_FLOAT, GL_INT)
+        val VECTORS = setOf(GL_FLOAT_VEC2, GL_FLOAT_VEC3, GL_FLOAT_VEC4)
         const val STRENGTHS = 120
         const val BESIDE = 0.02
         const val SOUND = 1e-3

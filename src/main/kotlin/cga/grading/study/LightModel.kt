@@ -58,7 +58,7 @@ internal class SharedLight(
 internal class HighlightModel(
     val fit: HighlightFit,
     val limits: HighlightLimits,
-    val exponentSlot: ActiveUniform?,
+    val exponentSlot: ExponentSlot?,
 )
 
 /**
@@ -80,4 +80,10 @@ internal class StrengthPoint(
     val position: Vector3dc,
     val distance: Double,
     val cosine: Double,
+)
+
+/** A number among those of the uniform [name]. */
+internal class ExponentSlot(
+    val name: String,
+    val component: Int,
 )

@@ -67,7 +67,7 @@ internal class Lit(
             search: LightSearch,
         ): Boolean {
             val roles = seen.roles
-            if (roles.diffuse == null || roles.specular == null || roles.peak != Peak.DIFFUSE) return true
+            if (roles.diffuse == null || roles.peak != Peak.DIFFUSE) return true
             val placed = search.place(seen.probe, seen.points, roles.onlyDiffuse)
             return placed != null && placed.error < Placement.ACCEPTED * 5
         }
@@ -80,6 +80,8 @@ internal class Lit(
             seen: Seen,
             search: LightSearch,
         ): Boolean {
+            if (seen.roles.specular == null) return false
+
             fun place(
                 texels: Map<String, Double>,
                 peak: Peak,

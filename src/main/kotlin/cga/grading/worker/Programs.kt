@@ -57,12 +57,41 @@ internal class Programs(private val tape: Tape) {
         linked -= program
         if (!glIsProgram(program)) return
         val shaders = shaders(program)
-        if (glGetProgrami(program, GL_LINK_STATUS) != GL_TRUE) {
-            tape.event(EventKind.LINK_FAILED, "stand-ins take the place of its shaders\n${glGetProgramInfoLog(program)}")
-            val stubs = shaders.associateWith(::stub)
-            listOf(ShaderStub::alone, ShaderStub::bare).firstOrNull { source -> links(program, stubs.mapValues { source(it.value) }) }
-        }
+        val own = shaders.filter { it !in replaced }
+        if (own.size < shaders.size || !fits(program, shaders)) substitute(program, shaders)
         if (glGetProgrami(program, GL_LINK_STATUS) == GL_TRUE) linked[program] = describe(program, shaders)
+        // Another program may be linked of them too.
+        own.forEach { shader -> replaced.remove(shader)?.let { compiles(shader, it) } }
+    }
+
+    /** Whether the stages fit together; what one of them calls otherwise than the other is called alike. */
+    private fun fits(
+        program: Int,
+        shaders: List<Int>,
+    ): Boolean {
+        val isLinked = glGetProgrami(program, GL_LINK_STATUS) == GL_TRUE
+        val vertex = shaders.singleOrNull { glGetShaderi(it, GL_SHADER_TYPE) == GL_VERTEX_SHADER }
+        val fragment = shaders.singleOrNull { glGetShaderi(it, GL_SHADER_TYPE) == GL_FRAGMENT_SHADER }
+        val varyings = if (vertex == null || fragment == null) null else Varyings(glGetShaderSource(vertex), glGetShaderSource(fragment))
+        val missing = varyings?.missing.orEmpty()
+        if (isLinked && missing.isEmpty()) return true
+        val log = "${glGetProgramInfoLog(program)}\n${missing.joinToString("\n") { "$it is read and never written" }}"
+        val matched = varyings?.matched()
+        if (fragment != null && matched != null && links(program, mapOf(fragment to matched))) {
+            tape.event(EventKind.LINK_FAILED, "names that are much alike were taken for the same\n${log.trim()}")
+            return true
+        }
+        tape.event(EventKind.LINK_FAILED, "stand-ins take the place of its shaders\n${log.trim()}")
+        return false
+    }
+
+    /** Replaces all stages: one that stayed would lose the uniforms that it hands on to nobody. */
+    private fun substitute(
+        program: Int,
+        shaders: List<Int>,
+    ) {
+        val stubs = shaders.associateWith(::stub)
+        listOf(ShaderStub::alone, ShaderStub::bare).firstOrNull { source -> links(program, stubs.mapValues { source(it.value) }) }
     }
 
     /** The [program] as it was last linked, null for what is none. */

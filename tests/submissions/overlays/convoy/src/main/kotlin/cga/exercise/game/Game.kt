@@ -1,0 +1,30 @@
+package cga.exercise.game
+
+import cga.framework.GameWindow
+import org.lwjgl.glfw.GLFW.GLFW_KEY_ESCAPE
+import org.lwjgl.glfw.GLFW.GLFW_PRESS
+
+class Game(width: Int, height: Int) : GameWindow(width, height, false, false, 3, 3, "Tron Convoy", 4, 120.0f) {
+
+    private lateinit var scene: Scene
+
+    override fun start() {
+        scene = Scene(this)
+        setCursorVisible(false)
+    }
+
+    override fun update(dt: Float, t: Float) = scene.update(dt, t)
+
+    override fun render(dt: Float, t: Float) = scene.render(dt, t)
+
+    override fun onMouseMove(xpos: Double, ypos: Double) = scene.onMouseMove(xpos, ypos)
+
+    override fun onMouseScroll(xoffset: Double, yoffset: Double) = scene.onMouseScroll(yoffset)
+
+    override fun onKey(key: Int, scancode: Int, action: Int, mode: Int) {
+        if (key == GLFW_KEY_ESCAPE && action == GLFW_PRESS) quit()
+        scene.onKey(key, scancode, action, mode)
+    }
+
+    override fun shutdown() = scene.cleanup()
+}

@@ -1,0 +1,4 @@
+layout(std140) uniform Camera {
+    mat4 view;
+    mat4 projection;
+};

@@ -1,0 +1,3 @@
+package cga.exercise.components.light
+
+interface ISpotLight : IPointLight

@@ -33,8 +33,7 @@ class ClassArchiveTest {
     private fun sources(archive: ClassArchive): List<String> {
         val log = folder.resolve("loaded")
         val java = "${Path.of(System.getProperty("java.home"), "bin", "java")}"
-        // A submission's classes come after ours.
-        val path = (libraries + folder.resolve("classes")).joinToString(File.pathSeparator)
+        val path = libraries.joinToString(File.pathSeparator)
         val command = listOf(java) + WorkerFiles.FLAGS + archive.options + listOf("-Xlog:class+load:file=$log", "-cp", path, MAIN)
         ProcessBuilder(command).redirectErrorStream(true).redirectOutput(folder.resolve("said").toFile()).start().waitFor()
         return log.readLines().filter { " $MAIN source:" in it }
@@ -44,7 +43,7 @@ class ClassArchiveTest {
     fun `a job takes its classes from the archive and says nothing of it`() {
         val archive = archive()
         assertTrue(sources(archive).single().endsWith("shared objects file")) { "${sources(archive)}" }
-        assertEquals(listOf("usage: WorkerMain <class with main> <capture file>"), folder.resolve("said").readText().trim().lines())
+        assertEquals(listOf("usage: WorkerMain <class with main> <capture file> <classes>…"), folder.resolve("said").readText().trim().lines())
     }
 
     @Test

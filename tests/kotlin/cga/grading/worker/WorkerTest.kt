@@ -166,6 +166,24 @@ class WorkerTest {
     }
 
     @Test
+    fun `whoever asks GLFW or Java itself is told the script's time and keys, and waiting for time comes to an end`() {
+        val lines = WorkerProcess.ofStudent("Watcher").out.trim().lines()
+        // Each of the seven pictures waits a thousandth of a second.
+        assertTrue(lines[5].startsWith("frame 5 W 0 at 5.32 hour 53"), lines[5])
+        assertTrue(lines[6].startsWith("frame 6 W 1 at 6.32 hour 63"), lines[6])
+        assertEquals(Moment.entries.size, lines.size)
+    }
+
+    @Test
+    fun `stages that call one vector differently are told and drawn as they were meant`() {
+        val run = WorkerProcess.ofStudent("Renamer")
+        assertEquals("linked 1", run.out.trim(), "$run")
+        assertTrue("spot is read and never written" in run.events(EventKind.LINK_FAILED).single())
+        assertFalse(run.capture.programs.any { it.substituted })
+        assertReplays(run)
+    }
+
+    @Test
     fun `stages that do not fit together are told and replaced`() {
         val run = WorkerProcess.ofStudent("Misfit")
         assertEquals("linked 1", run.out.trim(), "$run")

@@ -59,10 +59,9 @@ public object WorkerFiles {
     /** The command that runs a submission; see [WorkerRun]. */
     public fun command(run: WorkerRun): List<String> {
         val java = Path.of(System.getProperty("java.home"), "bin", "java").toString()
-        // What a class archive was made of comes first, or the JVM would not use it.
-        val classPath = (own(run.worker) + run.classes).joinToString(File.pathSeparator)
+        val classPath = own(run.worker).joinToString(File.pathSeparator)
         return listOf(java) + FLAGS + run.options + "-Xmx${run.heapMegabytes}m" +
-            listOf("-cp", classPath, MAIN, run.main, run.capture.toString())
+            listOf("-cp", classPath, MAIN, run.main, run.capture.toString()) + run.classes.map { it.toString() }
     }
 
     /**

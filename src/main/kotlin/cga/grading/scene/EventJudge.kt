@@ -134,7 +134,11 @@ internal class EventJudge(
         return if (meant == null || distance(name) > name.length / 2) name else "$name (is $meant meant?)"
     }
 
-    private fun nearest(name: String): String? = uniforms.minByOrNull { editDistance(it, name) }
+    /** One that waits for numbers, if there is one that is much alike. */
+    private fun nearest(name: String): String? {
+        val waiting = program.unset.orEmpty().filter { it in uniforms && editDistance(it, name) <= name.length / 2 }
+        return waiting.ifEmpty { uniforms }.minByOrNull { editDistance(it, name) }
+    }
 
     private fun distance(name: String): Int = nearest(name)?.let { editDistance(it, name) } ?: Int.MAX_VALUE
 

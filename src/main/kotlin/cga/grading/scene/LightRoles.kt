@@ -54,10 +54,10 @@ internal class LightRoles(
             // Many may ride along; the motorcycle's colour tells which is meant, then how near it is.
             val riding = points.filter { it.rides() }
             if (timeline.cast.driven && riding.isNotEmpty()) return riding.find { it.changesColor } ?: riding.minBy(near)
-            val nearest = points.minByOrNull(near)?.takeIf { near(it) <= MEANT * cameraDistance(timeline) }
+            val close = points.filter { near(it) <= MEANT * cameraDistance(timeline) }
             // One of many around the motorcycle is none of its own.
-            val isAmong = nearest != null && points.any { it !== nearest && near(it) < APART * near(nearest) }
-            return points.find { it.changesColor } ?: nearest?.takeUnless { isAmong }
+            val nearest = close.minByOrNull(near)?.takeUnless { light -> points.any { it !== light && near(it) < APART * near(light) } }
+            return points.find { it.changesColor } ?: nearest
         }
 
         private fun LightTrack.rides() = placed.place?.rides == true

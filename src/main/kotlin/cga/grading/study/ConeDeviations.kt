@@ -44,6 +44,7 @@ internal object ConeDeviations {
             cone.falloff == Falloff.UNCLAMPED_ABOVE && !startsAtAxis(light, numbers) -> found(Mistake.CONE_CLAMP_MISSING)
             words == null && areCosines(cosFull, cosDark) -> found(Mistake.COSINE_OF_COSINE)
             isInverted -> found(Mistake.CONE_INSIDE_OUT)
+            cone.intensities.min() > LEFT -> listOf(unknown(light, cone, cone.intensities.min(), LEFT_TEXT))
             cone.falloff in BENT -> listOf(unknown(light, cone, cone.error, BEND[cone.falloff].orEmpty()))
             else -> emptyList()
         }
@@ -108,6 +109,10 @@ internal object ConeDeviations {
             Falloff.IN_ANGLE to "between the cones the light fades with the angle, not with its cosine",
             Falloff.POWER to "between the cones the light fades with a power of the sheet's I",
         )
+
+    /** Of full light, beyond the outer edge. */
+    private const val LEFT = 0.02
+    private const val LEFT_TEXT = "outside of the cone it is not dark"
 
     /** Radians: wider than any headlight. */
     private const val WIDE = PI / 4

@@ -155,11 +155,16 @@ internal class ProbeProgram(
             "in vec2 cga_pixel; out vec4 cga_clip;\n#define main cga_student_main",
         ) + "\n#undef main\nvoid main() { cga_student_main(); cga_clip = gl_Position; gl_Position = vec4(cga_pixel, 0.0, 1.0); }\n"
 
-    /** pow of a negative base, which GLSL leaves open and drivers make NaN of, becomes that of the base without its sign: a lobe to be seen. */
+    /**
+     * pow of a negative base, which GLSL leaves open and drivers make NaN of, becomes that of the base without its sign: a lobe to be seen. A
+     * root, as a gamma is one, keeps the sign, so that it can be undone.
+     */
     private fun withEvenPowers(source: String): String =
         LiftedConstants.afterVersion(
             source,
-            listOf("float", "vec2", "vec3", "vec4").joinToString(" ") { "$it cga_pow($it x, $it y) { return pow(abs(x), y); }" } +
+            "float cga_sign(float x, float y) { return y < 1.0 ? sign(x) : 1.0; } " +
+                (2..4).joinToString(" ") { "vec$it cga_sign(vec$it x, vec$it y) { return mix(vec$it(1.0), sign(x), vec$it(lessThan(y, vec$it(1.0)))); }" } +
+                listOf("float", "vec2", "vec3", "vec4").joinToString(" ") { " $it cga_pow($it x, $it y) { return cga_sign(x, y) * pow(abs(x), y); }" } +
                 "\n#define pow cga_pow",
         )
 

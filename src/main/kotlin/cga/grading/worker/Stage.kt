@@ -80,6 +80,8 @@ public class Stage(
         observer = recorder::observe
         if (offscreen.version != "$major.$minor") tape.event(EventKind.NOT_CAPTURED, "OpenGL $major.$minor: ${offscreen.version} is given")
         acts = Play.acts(frequency)
+        ScriptedCalls.time = { time }
+        ScriptedCalls.isHeld = ::isHeld
         glfwSetCursorPos(window, cursorX, cursorY)
     }
 

@@ -1,21 +1,22 @@
 package cga.grading.worker
 
 import java.lang.reflect.InvocationTargetException
+import java.net.URL
 import java.nio.file.Path
 import kotlin.system.exitProcess
 
-/** Runs a submission: `WorkerMain <class with main> <capture file>`. The submission's classes are on the class path. */
+/** Runs a submission: `WorkerMain <class with main> <capture file> <folder or jar with its classes>…`. */
 public object WorkerMain {
     /** Exit code 0 when the script was played to its end or the submission failed by itself, 2 when it could not be started, 3 without OpenGL. */
     @JvmStatic
     public fun main(args: Array<String>) {
-        if (args.size != 2) {
-            System.err.println("usage: WorkerMain <class with main> <capture file>")
+        if (args.size < 2) {
+            System.err.println("usage: WorkerMain <class with main> <capture file> <classes>…")
             exitProcess(USAGE)
         }
         Session.begin(Path.of(args[1]))
         try {
-            start(args[0])
+            start(args[0], args.drop(2).map { Path.of(it).toUri().toURL() })
         } catch (e: InvocationTargetException) {
             generateSequence(e.targetException) { it.cause }.take(MAX_CAUSES).firstOrNull { it is NoWindow }?.let { giveUp(it, NO_OPENGL) }
             Session.fail(e.targetException)
@@ -31,8 +32,13 @@ public object WorkerMain {
         Runtime.getRuntime().halt(0)
     }
 
-    private fun start(name: String) {
-        val type = Class.forName(name)
+    private fun start(
+        name: String,
+        classes: List<URL>,
+    ) {
+        val loader = SubmissionLoader(classes)
+        Thread.currentThread().contextClassLoader = loader
+        val type = Class.forName(name, true, loader)
         val method =
             type.methods.firstOrNull { it.name == "main" && it.parameterTypes.contentEquals(arrayOf(Array<String>::class.java)) }
                 ?: type.methods.firstOrNull { it.name == "main" && it.parameterCount == 0 }

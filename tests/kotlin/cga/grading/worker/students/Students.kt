@@ -3,9 +3,12 @@ package cga.grading.worker.students
 import cga.exercise.game.Game
 import org.lwjgl.glfw.GLFW.GLFW_KEY_W
 import org.lwjgl.glfw.GLFW.glfwGetCurrentContext
+import org.lwjgl.glfw.GLFW.glfwGetKey
+import org.lwjgl.glfw.GLFW.glfwGetTime
 import org.lwjgl.glfw.GLFW.glfwSetCursorPosCallback
 import org.lwjgl.glfw.GLFW.glfwSetKeyCallback
 import org.lwjgl.opengl.GL33C.*
+import kotlin.math.roundToInt
 import kotlin.system.exitProcess
 
 /** This project's own solution. */
@@ -48,6 +51,26 @@ internal class Listener : Painter() {
     companion object {
         @JvmStatic
         fun main(args: Array<String>): Unit = Listener().run()
+    }
+}
+
+/** Asks for time and keys past its window, and waits for time to pass. */
+internal class Watcher : Painter() {
+    override fun paint() {
+        super.paint()
+        val window = glfwGetCurrentContext()
+        val clock = (glfwGetTime() * 100).roundToInt() / 100.0
+        val before = System.nanoTime()
+        while (System.nanoTime() < before + 1_000_000) Thread.onSpinWait()
+        val hour = System.currentTimeMillis()
+        say("frame $frame W ${glfwGetKey(window, GLFW_KEY_W)} at $clock hour ${hour - start}")
+    }
+
+    companion object {
+        private val start = System.currentTimeMillis()
+
+        @JvmStatic
+        fun main(args: Array<String>): Unit = Watcher().run()
     }
 }
 
@@ -259,6 +282,20 @@ internal class Misfit : Painter() {
     companion object {
         @JvmStatic
         fun main(args: Array<String>): Unit = Misfit().run()
+    }
+}
+
+/** Its fragment shader knows the vector of its vertex shader by another name. */
+internal class Renamer : Painter() {
+    override fun start() {
+        super.start()
+        program = link(VERTEX, FRAGMENT.replace(Regex("\\bplace\\b"), "spot"))
+        say("linked ${glGetProgrami(program, GL_LINK_STATUS)}")
+    }
+
+    companion object {
+        @JvmStatic
+        fun main(args: Array<String>): Unit = Renamer().run()
     }
 }
 

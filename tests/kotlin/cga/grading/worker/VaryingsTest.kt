@@ -1,0 +1,41 @@
+package cga.grading.worker
+
+import org.junit.jupiter.api.Assertions.assertEquals
+import org.junit.jupiter.api.Assertions.assertNull
+import org.junit.jupiter.api.Test
+
+/** What a fragment shader reads that no vertex shader writes. */
+class VaryingsTest {
+    private val vertex = "out vec3 toLight; out vec3 toCamera;\nflat out vec2 tc[2]; out Data { vec3 inBlock; } data; // out vec3 inComment;\n"
+
+    private fun varyings(fragment: String) = Varyings(vertex, fragment)
+
+    @Test
+    fun `stages that fit lack nothing`() {
+        val fragment = "in vec3 toLight, toCamera;\nflat in vec2 tc[2];\nin Data { vec3 inBlock; } d;\nvoid main() { toLight; toCamera; tc; d; }"
+        assertEquals(emptySet<String>(), varyings(fragment).missing)
+    }
+
+    @Test
+    fun `what is declared and not read is not missed`() {
+        assertEquals(emptySet<String>(), varyings("in vec3 toLamp;\nvoid main() {}").missing)
+    }
+
+    @Test
+    fun `a name that differs is replaced by the likest of its type that nobody reads`() {
+        val varyings = varyings("in vec3 toLights;\nin vec3 toCam;\nvoid main() { f(toLights, toCam); }")
+        assertEquals(setOf("toLights", "toCam"), varyings.missing)
+        assertEquals("in vec3 toLight;\nin vec3 toCamera;\nvoid main() { f(toLight, toCamera); }", varyings.matched())
+    }
+
+    @Test
+    fun `another type is no match, nor is what is read already`() {
+        assertNull(varyings("in vec4 toLights;\nvoid main() { toLights; }").matched())
+        assertNull(varyings("in vec3 toLight, toCamera, toEye;\nvoid main() { toLight; toCamera; toEye; }").matched())
+    }
+
+    @Test
+    fun `what the vertex shader says in a way of its own is not missed`() {
+        assertEquals(emptySet<String>(), Varyings("#define TO_PIXEL out\nTO_PIXEL vec3 n;", "in vec3 n;\nvoid main() { n; }").missing)
+    }
+}

@@ -5,12 +5,17 @@ import cga.grading.course.CourseRun
 import cga.grading.course.CourseSettings
 import cga.grading.course.ResultStore
 import cga.grading.course.Submission
+import cga.grading.findings.Check
 import cga.grading.findings.FailureReason
+import cga.grading.findings.Graded
+import cga.grading.findings.Mistake
 import cga.grading.report.GradedSubmission
 import cga.grading.report.Language
+import cga.grading.rubric.CheckState
 import cga.grading.rubric.Rubric
 import cga.grading.sandbox.Hostile
 import cga.grading.sandbox.Limits
+import cga.grading.scene.SceneJudge
 import org.junit.jupiter.api.AfterAll
 import org.junit.jupiter.api.Assertions.assertEquals
 import org.junit.jupiter.api.Assertions.assertFalse
@@ -124,6 +129,7 @@ class HostileTest {
             project("texture", "texture"),
             shader("shader loop", "uniform float never;", "float z = 1.0; while (z > never * 0.0 - 1.0) z = mod(z + 1.0, 5.0);"),
             shader("uniform array", "uniform vec4 huge[100000000];", "if (huge[int(shininess) * 1000].x > 1.0) discard;"),
+            shader("refused", "", "vec3 direction = lightDirection;"),
             archive(),
             project("private", "nothing").also(::hide),
         )
@@ -283,6 +289,19 @@ class HostileTest {
         assertTrue(isTold || reason in setOf(FailureReason.OUT_OF_MEMORY, FailureReason.EXCEPTION, FailureReason.TIMED_OUT)) {
             "$reason ${detail("uniform array")}"
         }
+    }
+
+    @Test
+    fun `a shader that does not compile is told with its line, and what the scene does is graded all the same`() {
+        val refused = graded.getValue("refused")
+        assertNull(reason("refused")) { detail("refused") }
+        assertEquals(listOf(Mistake.SHADER_REFUSED), (refused.outcome as Graded).findings.mistakes.map { it.mistake })
+        val open = refused.grade?.checks.orEmpty().filter { it.points == null }.map { it.check }.toSet()
+        // What shaders compute is for a person to look at: all that no scene is judged by, and the cone.
+        assertEquals(Check.entries.toSet() - SceneJudge.CHECKS + Check.CONE, open)
+        val others = refused.grade?.checks.orEmpty().filter { it.check !in open && it.check != Check.ORDER }
+        assertTrue(others.all { it.state == CheckState.RIGHT }) { others.joinToString { "${it.check} ${it.state}" } }
+        assertTrue("lightDirection" in page("refused"))
     }
 
     @Test

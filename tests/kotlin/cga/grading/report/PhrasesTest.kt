@@ -45,7 +45,7 @@ class PhrasesTest {
     @Test
     fun `logs of several lines stay whole`() {
         val log = "fragment shader (a stand-in takes its place)\n0:12(3): error: syntax error\n0:13: too"
-        assertTrue(german.say("shader failed: $log").endsWith("zeichnet.\n0:12(3): error: syntax error\n0:13: too"))
+        assertTrue(german.say("shader failed: $log").endsWith("was was ist.\n0:12(3): error: syntax error\n0:13: too"))
     }
 
     @Test

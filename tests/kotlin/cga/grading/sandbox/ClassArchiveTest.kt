@@ -43,7 +43,8 @@ class ClassArchiveTest {
     fun `a job takes its classes from the archive and says nothing of it`() {
         val archive = archive()
         assertTrue(sources(archive).single().endsWith("shared objects file")) { "${sources(archive)}" }
-        assertEquals(listOf("usage: WorkerMain <class with main> <capture file> <classes>…"), folder.resolve("said").readText().trim().lines())
+        val said = folder.resolve("said").readText().trim().lines()
+        assertEquals(listOf("usage: WorkerMain <class with main> <capture file> <classes>…"), said)
     }
 
     @Test

@@ -180,7 +180,7 @@ class OrderMistakesTest {
             events = listOf(CapturedEvent(EventKind.SHADER_FAILED, -1, log)),
             program = ProgramFacts(isReplaced = true),
         )
-        assertEquals(listOf(Mistake.GLSL_DRIVER), verdict.mistakes.map { it.mistake }, verdict.text())
+        assertEquals(listOf(Mistake.SHADER_REFUSED), verdict.mistakes.map { it.mistake }, verdict.text())
         assertTrue("no function 'saturate'" in verdict.mistakes.single().where, verdict.text())
         assertTrue(verdict.isReplaced)
         assertNull(verdict[Check.POINT_LIGHT]?.error)

@@ -131,13 +131,15 @@ internal object SceneCapture {
             is org.joml.Matrix3dc -> UniformValue(name, GL_FLOAT_MAT3, FloatArray(9) { value.get(it / 3, it % 3).toFloat() })
             is Vector3d -> UniformValue(name, GL_FLOAT_VEC3, floatArrayOf(value.x.toFloat(), value.y.toFloat(), value.z.toFloat()))
             is FloatArray -> UniformValue(name, if (value.size == 2) GL_FLOAT_VEC2 else GL_FLOAT_VEC4, value)
-            is Int -> UniformValue(name, GL_INT, floatArrayOf(value.toFloat()))
+            is Int -> UniformValue(name, if (name in MAPS) GL_SAMPLER_2D else GL_INT, floatArrayOf(value.toFloat()))
             is Double -> UniformValue(name, GL_FLOAT, floatArrayOf(value.toFloat()))
             else -> error("no uniform can hold $value")
         }
 
     private fun texture(number: Int) =
         CapturedTexture(1, 1, listOf(ByteArray(4) { (60 + 50 * number).toByte() }), GL_REPEAT, GL_REPEAT, GL_LINEAR, GL_LINEAR)
+
+    private val MAPS = setOf("emit", "diff", "spec")
 
     private fun bytes(floats: FloatArray): ByteArray {
         val buffer = ByteBuffer.allocate(4 * floats.size).order(ByteOrder.nativeOrder())

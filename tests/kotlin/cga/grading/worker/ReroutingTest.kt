@@ -33,6 +33,7 @@ class ReroutingTest {
         val changed = Rerouting.of(file(Asking::class.java))
         val name = Asking::class.java.name
         val constructor = Single(name, changed).loadClass(name).getDeclaredConstructor().apply { isAccessible = true }
+
         @Suppress("UNCHECKED_CAST")
         val asking = constructor.newInstance() as () -> Long
         // Between two questions of the script's clock lies a thousand nanoseconds, and of the machine's another number each time.

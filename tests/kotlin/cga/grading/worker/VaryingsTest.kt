@@ -6,13 +6,23 @@ import org.junit.jupiter.api.Test
 
 /** What a fragment shader reads that no vertex shader writes. */
 class VaryingsTest {
-    private val vertex = "out vec3 toLight; out vec3 toCamera;\nflat out vec2 tc[2]; out Data { vec3 inBlock; } data; // out vec3 inComment;\n"
+    private val vertex =
+        """
+        out vec3 toLight; out vec3 toCamera; // out vec3 inComment;
+        flat out vec2 tc[2]; out Data { vec3 inBlock; } data;
+        """.trimIndent()
 
     private fun varyings(fragment: String) = Varyings(vertex, fragment)
 
     @Test
     fun `stages that fit lack nothing`() {
-        val fragment = "in vec3 toLight, toCamera;\nflat in vec2 tc[2];\nin Data { vec3 inBlock; } d;\nvoid main() { toLight; toCamera; tc; d; }"
+        val fragment =
+            """
+            in vec3 toLight, toCamera;
+            flat in vec2 tc[2];
+            in Data { vec3 inBlock; } d;
+            void main() { toLight; toCamera; tc; }
+            """.trimIndent()
         assertEquals(emptySet<String>(), varyings(fragment).missing)
     }
 

@@ -37,11 +37,15 @@ internal class EventJudge(
         val log = events.firstOrNull { it.kind == EventKind.SHADER_FAILED || it.kind == EventKind.LINK_FAILED }?.text ?: return
         if (program.isReplaced) {
             book.isReplaced = true
-            val hidden = SceneJudge.CHECKS.filter { it == Check.CONE || !program.isRead || (!program.isReadWhole && (book.error(it) ?: 0.0) > SOUND) } - OrbitChecks.ALL
+            val hidden = SceneJudge.CHECKS.filter(::isHidden) - OrbitChecks.ALL
             book.unmeasured(hidden, SceneJudge.CHECKS - hidden.toSet(), "A shader was refused, so nothing of this can be seen.")
         }
         book.found(Mistake.SHADER_REFUSED, 0.0, 1.0, telling(log))
     }
+
+    /** Whether [check] asks for more than the numbers tell that were sent to a shader that was refused. */
+    private fun isHidden(check: Check) =
+        check == Check.CONE || !program.isRead || (!program.isReadWhole && (book.error(check) ?: 0.0) > SOUND)
 
     /** Shaders that only needed other words: all that they do can be seen. */
     private fun dialect() {

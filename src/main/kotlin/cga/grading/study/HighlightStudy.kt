@@ -76,8 +76,9 @@ internal class HighlightStudy(
         val (single, vectors) = probe.box.program.uniforms.partition { it.type in NUMBERS }
         val parts = vectors.filter { it.type in VECTORS }.flatMap { slot -> List(slot.components) { ExponentSlot(slot.name, it) } }
         // A small whole number is a count of lights or an index: not to be driven out of its array.
-        val alone = single.filter { it.type == GL_FLOAT || (probe.box.values[it.name]?.firstOrNull() ?: 1f) >= 8 }.map { ExponentSlot(it.name, 0) }
-        return alone.firstOrNull { isFollowed(it, isAlone = true) } ?: parts.firstOrNull { isFollowed(it, isAlone = false) }
+        val alone = single.filter { it.type == GL_FLOAT || (probe.box.values[it.name]?.firstOrNull() ?: 1f) >= 8 }
+        return alone.map { ExponentSlot(it.name, 0) }.firstOrNull { isFollowed(it, isAlone = true) }
+            ?: parts.firstOrNull { isFollowed(it, isAlone = false) }
     }
 
     /** Compares the strength of the highlight with that of the diffuse term inside and outside of the cone, near and far. */

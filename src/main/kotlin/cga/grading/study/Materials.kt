@@ -114,7 +114,8 @@ internal class Materials(
         values: Map<String, FloatArray>,
     ): Double {
         val highlight = study.lights.firstNotNullOfOrNull { it.highlight }
-        return highlight?.exponentSlot?.let { values[it.name]?.getOrNull(it.component)?.toDouble() } ?: highlight?.fit?.exponent ?: USUAL_EXPONENT
+        val sent = highlight?.exponentSlot?.let { values[it.name]?.getOrNull(it.component) }
+        return sent?.toDouble() ?: highlight?.fit?.exponent ?: USUAL_EXPONENT
     }
 
     /** The other vector of three numbers; of several the one that has unit length. */

@@ -163,9 +163,12 @@ internal class ProbeProgram(
         LiftedConstants.afterVersion(
             source,
             "float cga_sign(float x, float y) { return y < 1.0 ? sign(x) : 1.0; } " +
-                (2..4).joinToString(" ") { "vec$it cga_sign(vec$it x, vec$it y) { return mix(vec$it(1.0), sign(x), vec$it(lessThan(y, vec$it(1.0)))); }" } +
-                listOf("float", "vec2", "vec3", "vec4").joinToString(" ") { " $it cga_pow($it x, $it y) { return cga_sign(x, y) * pow(abs(x), y); }" } +
-                "\n#define pow cga_pow",
+                (2..4).map { "vec$it" }.joinToString(" ") {
+                    "$it cga_sign($it x, $it y) { return mix($it(1.0), sign(x), $it(lessThan(y, $it(1.0)))); }"
+                } +
+                listOf("float", "vec2", "vec3", "vec4").joinToString("") {
+                    " $it cga_pow($it x, $it y) { return cga_sign(x, y) * pow(abs(x), y); }"
+                } + "\n#define pow cga_pow",
         )
 
     private fun activeUniforms(): List<ActiveUniform> =

@@ -27,7 +27,8 @@ internal class Matrices private constructor(
             val all = sent.matrices.filterNot { UniformName(it).says("norm", "trans") }
             val (flat, deep) = all.partition { name -> sent.everywhere { isAffine(it.matrix(name)) } }
             val (steady, moving) = flat.partition { sent.isSteady(it) }
-            val view = steady.filterNot { UniformName(it).says("inv") || sent.isConstant(it) }.minByOrNull { if (isView(it)) 0 else 1 } ?: steady.find(::isView)
+            val moved = steady.filterNot { UniformName(it).says("inv") || sent.isConstant(it) }
+            val view = moved.minByOrNull { if (isView(it)) 0 else 1 } ?: steady.find(::isView)
             val model = moving.find { sent.isStillSomewhere(it) } ?: if (moving.isEmpty()) only(steady - setOfNotNull(view)) else null
             val whole = moving.filter { it != model }.minByOrNull { if (isView(it)) 0 else 1 }
             val modelView =
@@ -46,7 +47,7 @@ internal class Matrices private constructor(
                     objects.isNotEmpty() && (modelView ?: model) != null -> objects.first()
                     else -> return null
                 }
-            val used = all.filter { name -> listOf(clip, modelView.orEmpty(), model.orEmpty(), view.orEmpty()).any { name in it.split(" * ") } }
+            val used = listOfNotNull(clip, modelView, model, view).flatMap { it.split(" * ") }
             return Matrices(view, model, modelView, clip, used.toSet() + (sent.matrices - flat.toSet()))
         }
 
@@ -57,9 +58,10 @@ internal class Matrices private constructor(
 
         private fun Sent.everywhere(holds: (Sending) -> Boolean) = frames.all { it.all(holds) }
 
-        private fun Sent.isSteady(name: String) = frames.all { frame -> frame.all { it.numbers(name).contentEquals(frame[0].numbers(name)) } }
+        private fun Sent.isSteady(name: String) =
+            frames.all { frame -> frame.all { it.numbers(name).contentEquals(frame[0].numbers(name)) } }
 
-        private fun Sent.isConstant(name: String) = frames.all { it.last().numbers(name).contentEquals(frames[0].last().numbers(name)) }
+        private fun Sent.isConstant(name: String) = frames.all { it.last().numbers(name).contentEquals(last.numbers(name)) }
 
         /** Whether something is drawn at the same place in every frame. */
         private fun Sent.isStillSomewhere(name: String): Boolean =

@@ -17,6 +17,14 @@ internal class Sent(
             .map { frame -> frame.steps.filterIsInstance<CapturedDraw>().filter { it.program == program }.map(::Sending) }
             .filter { it.isNotEmpty() }
 
+    /** The very last draw: what is sent is complete by then. */
+    val last: Sending get() = frames.last().last()
+
+    /** What is drawn in every frame. */
+    val meshes: List<List<Any?>> by lazy {
+        frames.map { frame -> frame.map { it.mesh } }.reduceOrNull { a, b -> a.filter { it in b } }.orEmpty().distinct()
+    }
+
     /** Name and OpenGL type of each uniform. */
     val types: Map<String, Int> = frames.flatten().firstOrNull()?.uniforms.orEmpty().mapValues { it.value.type }
 

@@ -14,58 +14,64 @@ internal class Tracks(
     private val sent: Sent,
     private val matrices: Matrices,
 ) {
-    private val views: List<Matrix4dc>? = matrices.view?.let { name -> sent.frames.map { it.last().matrix(name).invert() } }
+    /** View space → world space, frame by frame. */
+    private val back: List<Matrix4dc>? = matrices.view?.let { name -> sent.frames.map { it.last().matrix(name).invert() } }
 
-    /** For each thing that is drawn in every frame, and for the world itself: world space → its own. */
-    private val carriers: List<List<Matrix4dc>> =
-        matrices.model.let { name ->
-            val meshes = sent.frames.map { frame -> frame.map { it.mesh } }.reduceOrNull { a, b -> a.filter { it in b } }.orEmpty().distinct()
-            val own = meshes.map { mesh -> sent.frames.map { frame -> name?.let { frame.first { it.mesh == mesh }.matrix(name).invert() } ?: Matrix4d() } }
-            own + listOf(List(sent.frames.size) { Matrix4d() })
-        }
+    /** Of each thing that is drawn in every frame: its own space → world space, frame by frame. */
+    private val drawn: List<List<Matrix4dc>> = matrices.model?.let { name -> sent.meshes.map { ofMesh(it, name) } }.orEmpty()
+
+    private fun ofMesh(
+        mesh: List<Any?>,
+        name: String,
+    ) = sent.frames.map { draws -> draws.first { it.mesh == mesh }.matrix(name) }
+
+    /** The same of the world itself among them. */
+    private val carriers = drawn + listOf(List(sent.frames.size) { Matrix4d() })
 
     /** Whether the place that [name] holds is one in view space; false is world space. */
-    fun isPlaceInView(name: String): Boolean = isInView(name) { matrix, v -> matrix.transformPosition(v, Vector3d()) }
+    fun isPlaceInView(name: String): Boolean = isInView(name, ::place)
 
     /** The same of a direction. */
-    fun isDirectionInView(name: String): Boolean = isInView(name) { matrix, v -> matrix.transformDirection(v, Vector3d()) }
+    fun isDirectionInView(name: String): Boolean = isInView(name, ::direction)
 
-    /** 1 or −1: what the direction [name] is to be multiplied by to point where things go. */
+    /** 1 or −1: what the direction [name] is to be multiplied by to point where the thing goes that goes furthest. */
     fun sign(name: String): Int {
-        val directions = sent.vectors(name).mapIndexed { frame, v -> if (isDirectionInView(name)) views?.get(frame)?.transformDirection(v, Vector3d()) ?: v else v }
-        val way = carriers.maxOf { own -> (1 until own.size).map { step(own, it) to it }.maxByOrNull { it.first.length() }.let { Way(it?.first ?: Vector3d(), it?.second ?: 0) } }
-        return if (way.step.dot(directions[way.frame]) < 0) -1 else 1
+        val steps = drawn.flatMap { own -> own.zipWithNext { a, b -> origin(b).sub(origin(a)) }.withIndex() }
+        val furthest = steps.maxByOrNull { it.value.length() } ?: return 1
+        val frame = furthest.index + 1
+        val sent = sent.vectors(name)[frame]
+        val inWorld = if (isDirectionInView(name)) back?.let { direction(it[frame], sent) } ?: sent else sent
+        return if (furthest.value.dot(inWorld) < 0) -1 else 1
     }
-
-    private class Way(
-        val step: Vector3d,
-        val frame: Int,
-    ) : Comparable<Way> {
-        override fun compareTo(other: Way): Int = step.length().compareTo(other.step.length())
-    }
-
-    private fun step(
-        own: List<Matrix4dc>,
-        frame: Int,
-    ): Vector3d = origin(own[frame]).sub(origin(own[frame - 1]))
-
-    private fun origin(own: Matrix4dc): Vector3d = own.invert(Matrix4d()).getTranslation(Vector3d())
 
     private fun isInView(
         name: String,
         moved: (Matrix4dc, Vector3dc) -> Vector3d,
     ): Boolean {
-        val back = views ?: return matrices.modelView != null
+        val back = back ?: return matrices.modelView != null
         val sent = sent.vectors(name)
-        val world = carriers.minOf { own -> spread(sent.mapIndexed { frame, v -> moved(own[frame], v) }) }
-        val view = carriers.minOf { own -> spread(sent.mapIndexed { frame, v -> moved(own[frame], moved(back[frame], v)) }) }
-        return view < CLEARLY * world
+
+        fun spread(vectors: List<Vector3d>) =
+            carriers.minOf { own -> spreadOf(vectors.mapIndexed { frame, v -> moved(own[frame].invert(Matrix4d()), v) }) }
+        return spread(sent.mapIndexed { frame, v -> moved(back[frame], v) }) < CLEARLY * spread(sent)
     }
 
     /** How far [points] are from all being one. */
-    private fun spread(points: List<Vector3d>): Double = points.maxOf { it.distance(points.last()) }
+    private fun spreadOf(points: List<Vector3d>): Double = points.maxOf { it.distance(points.last()) }
 
     private companion object {
         const val CLEARLY = 0.1
+
+        fun place(
+            matrix: Matrix4dc,
+            v: Vector3dc,
+        ): Vector3d = matrix.transformPosition(v, Vector3d())
+
+        fun direction(
+            matrix: Matrix4dc,
+            v: Vector3dc,
+        ): Vector3d = matrix.transformDirection(v, Vector3d())
+
+        fun origin(own: Matrix4dc): Vector3d = own.getTranslation(Vector3d())
     }
 }

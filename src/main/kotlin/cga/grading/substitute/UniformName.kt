@@ -13,8 +13,8 @@ internal enum class Part(
     POSITION("position", "pos", "ort", "origin", "location", "place"),
     COLOR("colour", "color", "col", "farbe", "farb", "rgb", "intensity"),
     ATTENUATION(
-        "attenuation", "atten", "att", "falloff", "abschwächung", "abschwaechung", "daempfung", "dämpfung", "abfall", "coefficient", "coeff",
-        "factor", "k",
+        "attenuation", "atten", "att", "falloff", "coefficient", "coeff", "factor", "k",
+        "abschwächung", "abschwaechung", "daempfung", "dämpfung", "abfall",
     ),
     CONE("cone", "angles", "angle", "winkel", "cutoff", "cut", "off", "kegel", "cosine", "cos", "theta"),
     ;
@@ -62,8 +62,13 @@ internal class UniformName(
         parts = found.toList()
     }
 
+    /** Whether it is one of the numbers of a cone. */
+    val isCone: Boolean get() = parts.any { it == Part.INNER || it == Part.OUTER || it == Part.CONE }
+
     /** Whether one of its words begins with one of [words]. */
-    fun says(vararg words: String): Boolean = tokens(name).any { token -> words.any { token.startsWith(it) } }
+    fun says(words: List<String>): Boolean = tokens(name).any { token -> words.any { token.startsWith(it) } }
+
+    fun says(vararg words: String): Boolean = says(words.toList())
 
     private companion object {
         val BORDER = Regex("""(?<=[a-zäöü0-9])(?=[A-ZÄÖÜ])|[^\p{L}\d]+""")

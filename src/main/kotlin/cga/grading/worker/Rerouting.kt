@@ -87,5 +87,6 @@ internal object Rerouting {
 
     /** Bytes of a constant behind its tag. */
     private val SIZES =
-        mapOf(3 to 4, 4 to 4, 5 to 8, 6 to 8, 7 to 2, 8 to 2, 9 to 4, 10 to 4, 11 to 4, 12 to 4, 15 to 3, 16 to 2, 17 to 4, 18 to 4, 19 to 2, 20 to 2)
+        mapOf(3 to 4, 4 to 4, LONG to 8, DOUBLE to 8, CLASS to 2, 8 to 2, 9 to 4, METHOD to 4, 11 to 4, 12 to 4) +
+            mapOf(15 to 3, 16 to 2, 17 to 4, 18 to 4, 19 to 2, 20 to 2)
 }

@@ -14,12 +14,13 @@ internal class Varyings(
     /** What the fragment shader reads and the vertex shader does not write. */
     val missing: Set<String> = (received.keys - sent.keys).filter { uses(it, vertex) == 0 }.toSet()
 
-    /** The fragment shader with each name that is [missing] replaced by the likest of the same type that it does not read; null where there is none. */
+    /** The fragment shader with each name that is [missing] replaced by the likest of its type that is not read yet; null where there is none. */
     fun matched(): String? {
         val spare = (sent - received.keys).filterKeys { uses(it, fragment) == 0 }.toMutableMap()
         return missing.fold(fragment) { text, name ->
-            val meant = spare.filterValues { it == received[name] }.keys.maxByOrNull { it.commonPrefixWith(name).length + it.commonSuffixWith(name).length }
-            spare -= meant ?: return null
+            val alike = spare.filterValues { it == received[name] }.keys
+            val meant = alike.maxByOrNull { it.commonPrefixWith(name).length + it.commonSuffixWith(name).length } ?: return null
+            spare -= meant
             text.replace(Regex("""\b$name\b"""), meant)
         }
     }

@@ -1,5 +1,6 @@
 package cga.grading.scene
 
+import cga.exercise.components.geometry.Transformable
 import cga.grading.capture.CapturedEvent
 import cga.grading.capture.EventKind
 import cga.grading.capture.Moment
@@ -9,6 +10,7 @@ import org.joml.Matrix4d
 import org.joml.Vector3d
 import org.joml.Vector3f
 import org.junit.jupiter.api.Assertions.assertEquals
+import org.junit.jupiter.api.Assertions.assertNotNull
 import org.junit.jupiter.api.Assertions.assertTrue
 import org.junit.jupiter.api.Test
 
@@ -16,6 +18,20 @@ import org.junit.jupiter.api.Test
 class LightMistakesTest {
     private val allOfPoint =
         arrayOf(Check.POINT_LIGHT, Check.POINT_LIGHT_CHILD, Check.POINT_LIGHT_POSITION, Check.LIGHT_COLOR)
+
+    @Test
+    fun `of lights all around the motorcycle none is its own, one that is much nearer is`() {
+        fun verdict(near: Float): SceneVerdict {
+            val places = listOf(Vector3f(5f, 1f, 5f), Vector3f(-5f, 1f, 5f), Vector3f(near, 1f, -near))
+            return object : Rig() {
+                override val lamps get() = listOf(head) + places.mapIndexed { i, place ->
+                    Lamp("lamp[$i]", Transformable().apply { translateLocal(place) }, POINT_K) { Vector3d(i + 1.0, 2.0, 1.0) }
+                }
+            }.verdict()
+        }
+        assertNotNull(verdict(5f)[Mistake.LIGHT_MISSING])
+        assertNotNull(verdict(1f)[Mistake.LIGHT_NOT_CHILD])
+    }
 
     @Test
     fun `the point light is missing`() {

@@ -142,6 +142,30 @@ class OrderMistakesTest {
     }
 
     @Test
+    fun `places that are sent under another name are lost, and what that looks like is no mistake of its own`() {
+        val rig = object : Rig() {
+            override fun lights(moment: Moment, t: Double, view: Matrix4d) = super.lights(moment, t, view).map {
+                ObservedLight(it.name, view.transformPosition(Vector3d()), it.color, it.k, it.spot, placedBy = "${it.name}.position")
+            }
+        }
+        val events = rig.lamps.map { CapturedEvent(EventKind.UNIFORM_ABSENT, 0, "${it.name}.pos") }
+        val verdict = rig.verdict(events = events, program = ProgramFacts(unset = rig.lamps.map { "${it.name}.position" }.toSet()))
+        val named = verdict.mistakes.map { it.mistake }
+        assertTrue(Mistake.UNIFORM_ABSENT in named, verdict.text())
+        assertTrue(named.none { it in setOf(Mistake.LIGHT_NOT_CHILD, Mistake.SPOT_NOT_CHILD, Mistake.LIGHT_IN_GROUND) }, verdict.text())
+    }
+
+    @Test
+    fun `a number of the cone that waits while one of much the same name is sent is misspelt`() {
+        val program = ProgramFacts(unset = setOf("spotInner"))
+        val verdict = Rig().verdict(events = listOf(CapturedEvent(EventKind.UNIFORM_ABSENT, 0, "spotlnner")), program = program)
+        assertEquals(listOf(Mistake.UNIFORM_ABSENT), verdict.mistakes.map { it.mistake }, verdict.text())
+        assertTrue(Check.CONE in verdict.mistakes.single().explains.orEmpty(), verdict.text())
+        val other = Rig().verdict(events = listOf(CapturedEvent(EventKind.UNIFORM_ABSENT, 0, "spotSize")), program = program)
+        assertEquals(emptyList<Mistake>(), other.mistakes.map { it.mistake }, other.text())
+    }
+
+    @Test
     fun `a first frame that was drawn without a matrix cannot be understood, and tells the order`() {
         fun verdict(vararg events: CapturedEvent) =
             SceneJudge.judge(Rig().play().drop(1), events.toList(), program = ProgramFacts(drawn = setOf(Moment.FIRST)))

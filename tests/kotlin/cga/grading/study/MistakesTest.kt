@@ -83,6 +83,13 @@ class MistakesTest {
                 "highlights without a texture",
                 "vec3 specular = texture(spec, vertexData.texCoord).rgb" to "vec3 specular = vec3(0.5)",
             ),
+            fragment(Mistake.UNKNOWN, "the headlight a second time without its cone", "* cone(ls);" to "* (1.0 + cone(ls));"),
+            fragment(
+                Mistake.CONE_CLAMP_MISSING,
+                "a cone that takes light away, under a gamma",
+                "clamp((theta - outer) / (inner - outer), 0.0, 1.0)" to "min((theta - outer) / (inner - outer), 1.0)",
+                "vec4(result, 1.0)" to "vec4(pow(result, vec3(1.0 / 2.2)), 1.0)",
+            ),
             fragment(
                 Mistake.COSINE_OF_COSINE,
                 "the cosine of the cosine between axis and light",

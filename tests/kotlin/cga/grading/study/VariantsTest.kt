@@ -108,6 +108,11 @@ class VariantsTest {
                 ),
             ),
             Variant(
+                "the exponent in a vector",
+                fragment = CourseShaders.FRAGMENT.all("uniform float shininess" to "uniform vec3 surface", "shininess)" to "surface.z)"),
+                sent = { _, u -> u + ("surface" to Vector3d(1.0, 2.0, 60.0)) },
+            ),
+            Variant(
                 "ambient light",
                 fragment = CourseShaders.FRAGMENT.all("vec3 result = emission" to "vec3 result = emission + diffuse * vec3(0.05)"),
             ),

@@ -2,6 +2,7 @@ package cga.grading.analysis
 
 import cga.framework.RenderTarget
 import cga.grading.capture.Capture
+import cga.grading.capture.EventKind
 import cga.grading.replay.Replay
 
 /** Draws the captured pictures again: what the rest of the analysis measures must be what the submission showed. */
@@ -15,13 +16,20 @@ internal object Reproduction {
                 replay.draw(number, target)
                 val wrong = differing(target.read().rgba, frame.picture ?: continue)
                 if (wrong > 0) {
-                    throw NotReproducible(
-                        "frame not reproducible: at ${frame.moment.name.lowercase()} $wrong of ${capture.width * capture.height} pixels differ.",
-                    )
+                    val pixels = "$wrong of ${capture.width * capture.height} pixels differ"
+                    throw NotReproducible("frame not reproducible: at ${frame.moment.name.lowercase()} $pixels.${cause(capture)}")
                 }
             }
         }
     }
+
+    /** What was drawn with that a capture does not hold, as far as is known. */
+    private fun cause(capture: Capture): String {
+        val used = capture.events.filter { it.kind == EventKind.NOT_CAPTURED }.map { it.text }.distinct().take(MOST)
+        return if (used.isEmpty()) "" else " It draws with what is not followed: ${used.joinToString()}."
+    }
+
+    private const val MOST = 3
 
     private fun differing(a: ByteArray, b: ByteArray): Int {
         if (a.contentEquals(b)) return 0

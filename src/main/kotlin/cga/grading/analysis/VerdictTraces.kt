@@ -28,6 +28,9 @@ internal object VerdictTraces {
                 Mistake.CONE_NEVER_SENT, Mistake.SPECULAR_MISSING, Mistake.EXPONENT_FIXED, Mistake.ATTENUATION_MISSING,
                 Mistake.ATTENUATION_OTHER_K, Mistake.TO_LIGHT_WORLD, Mistake.LIGHT_POSITION_OVERWRITTEN, Mistake.UNKNOWN,
             )
+
+    /** What half a cone looks like, where its other number never arrives. */
+    private val CONES = Mistake.entries.filter { it.check == Check.CONE }.toSet()
     private val EMISSION = setOf(Mistake.EMISSION_COLOR_IGNORED, Mistake.EMISSION_MULTIPLIED, Mistake.EMISSION_MISSING)
 
     /** By the cause: what it may look like. Where light cannot be placed without a diffuse term, nothing of it is seen. */
@@ -61,6 +64,7 @@ internal object VerdictTraces {
         found: Found,
         cause: Found,
     ): Boolean {
+        if (found.mistake in CONES && cause.mistake == Mistake.UNIFORM_ABSENT) return Check.CONE in cause.explains.orEmpty()
         if (found.mistake !in TRACES[cause.mistake].orEmpty()) return false
         return cause.mistake !in LOSSES || isLoss(cause)
     }

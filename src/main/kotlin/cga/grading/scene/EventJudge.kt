@@ -27,6 +27,7 @@ internal class EventJudge(
         dialect()
         dead()
         unplaced()
+        misspelt()
         beforeUse()
         absent()
         for (text in texts(EventKind.GL_ERROR)) book.note("OpenGL reported $text.")
@@ -79,6 +80,15 @@ internal class EventJudge(
             setOf(Check.POINT_LIGHT_CHILD, Check.POINT_LIGHT_POSITION, Check.SPOT_LIGHT_CHILD, Check.MORE_LIGHTS),
             setOf(Mistake.LIGHT_NOT_CHILD, Mistake.SPOT_NOT_CHILD, Mistake.LIGHT_IN_GROUND, Mistake.MORE_LIGHTS_ALIKE),
         )
+    }
+
+    /** Numbers of a cone that are sent under a name which is much alike: the cone that is left says nothing of what was meant. */
+    private fun misspelt() {
+        val waiting = program.unset.orEmpty().filter { CONE_WORDS.containsMatchIn(it) }
+        val asked = texts(EventKind.UNIFORM_ABSENT).filterNot(::isDeclared)
+        val lost = waiting.filter { name -> asked.any { editDistance(it, name) <= TYPO } }.ifEmpty { return }
+        book.spoilt(Check.CONE, 1.0, "${lost.joinToString()} never arrives: it is sent under another name.")
+        book.lacks(lost.joinToString(), setOf(Check.CONE, Check.SPOT_DIRECTION, Check.SPOT_LIGHT, Check.CONE_SPECULAR), CONES)
     }
 
     private fun absent() {
@@ -148,6 +158,10 @@ internal class EventJudge(
 
     private companion object {
         const val MOST_TEXTS = 64
+        val CONE_WORDS = Regex("inner|outer|innen|au(ss|ß)en|cone|angle|winkel|kegel|cut|cos|phi|gamma|theta", RegexOption.IGNORE_CASE)
+
+        /** What half a cone may look like. */
+        val CONES = Mistake.entries.filter { it.check == Check.CONE || it.check == Check.SPOT_DIRECTION }.toSet()
 
         /** An error that every tolerance of the rubric allows. */
         const val SOUND = 0.01

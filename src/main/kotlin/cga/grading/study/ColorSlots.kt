@@ -11,26 +11,33 @@ import kotlin.math.min
  * @param flats those whose effect is the same everywhere: a tint of the emission, ambient light.
  * @param silent vectors without any effect.
  * @param factors those that multiply lights: colours of the material.
+ * @param isSumClamped whether it is affine in them only where no light takes away what another brings.
  */
 internal class ColorSlots(
     val lights: List<ActiveUniform>,
     val flats: List<ActiveUniform>,
     val factors: List<ActiveUniform>,
     val silent: List<ActiveUniform>,
+    val isSumClamped: Boolean = false,
 ) {
     companion object {
         /** Textures are this dark while looking, so that a colour clamped at 1 by the shader stays below. */
         const val DARK = 1.0 / 64
 
-        /** Sorts the vector uniforms of [box] by what they do to the samples [first], and those that do nothing there to [more]. */
+        /**
+         * Sorts the vector uniforms of [box] by what they do to the samples [first], and those that do nothing there to [more]. Where
+         * [isSumClamped], a colour may do something else to less than half of them.
+         */
         fun of(
             box: BlackBox,
             first: List<Sample>,
             more: List<Sample>,
+            isSumClamped: Boolean = false,
         ): ColorSlots {
+            val odd = if (isSumClamped) 0.5 else 0.0
             val base = Setting().withTexels(box.program.samplers.associate { it.name to DARK })
-            val looks = box.program.uniforms.filter { !it.isSampler && it.type in VECTORS }.map { look(box, first, base, it) }
-            val all = looks.map { if (it.isSilent) look(box, more, base, it.slot) else it }
+            val looks = box.program.uniforms.filter { !it.isSampler && it.type in VECTORS }.map { look(box, first, base, it, odd) }
+            val all = looks.map { if (it.isSilent) look(box, more, base, it.slot, odd) else it }
             val samples = if (all.indices.any { all[it].isColor && looks[it].isSilent }) first + more else first
             val found = all.filter { it.isColor }
             val flats = found.filter { it.isFlat }.map { it.slot }
@@ -44,7 +51,7 @@ internal class ColorSlots(
             val unlit = box.shade(samples, dark).largest()
             val glowing = mixed.filter { box.shade(samples, dark.withColors(listOf(it), 1.0)).largest() > unlit }
             val factors = partners.filter { (slot, others) -> others.any { isMoreOfAFactor(slot, it, partners, glowing) } }.keys
-            return ColorSlots(alone + (mixed - factors), flats, factors.toList(), all.filter { it.isSilent }.map { it.slot })
+            return ColorSlots(alone + (mixed - factors), flats, factors.toList(), all.filter { it.isSilent }.map { it.slot }, isSumClamped)
         }
 
         /** Whether [slot] is a light's colour as far as [samples] show. */
@@ -91,11 +98,13 @@ internal class ColorSlots(
             val isFlat: Boolean = false,
         )
 
+        /** @param odd share of what [slot] changes that it may change otherwise than a colour. */
         private fun look(
             box: BlackBox,
             samples: List<Sample>,
             base: Setting,
             slot: ActiveUniform,
+            odd: Double = 0.0,
         ): Look {
             val none = box.shade(samples, base.withColor(slot, 0.0, 0.0, 0.0))
             val once = box.shade(samples, base.withColor(slot, 0.5, 0.75, 0.625))
@@ -111,8 +120,9 @@ internal class ColorSlots(
 
             fun allowed(i: Int) = AFFINE * abs(effect[i]) + noise(box) * FLOAT * (abs(none[i]) + abs(twice[i])) + TINY
             val finite = none.indices.filter { effect[it].isFinite() }
-            if (finite.any { abs(twice[it] - none[it] - 2 * effect[it]) > allowed(it) }) return Look(slot)
-            if (finite.any { abs(red[it] - none[it] - if (it % 3 == 0) effect[it] else 0.0) > allowed(it) }) return Look(slot)
+            val most = (odd * seen.size).toInt()
+            if (finite.count { abs(twice[it] - none[it] - 2 * effect[it]) > allowed(it) } > most) return Look(slot)
+            if (finite.count { abs(red[it] - none[it] - if (it % 3 == 0) effect[it] else 0.0) > allowed(it) } > most) return Look(slot)
             val typical = seen.filter { it % 3 == 0 }.map { effect[it] }.sorted().let {
                 if (it.isEmpty()) {
                     return Look(slot)

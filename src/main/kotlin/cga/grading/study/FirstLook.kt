@@ -25,12 +25,15 @@ internal class FirstLook private constructor(
             val few = search.samples(LightSearch.FEW_DIRECTIONS)
             val many = search.samples(LightSearch.MANY_DIRECTIONS)
             val plain = FirstLook(box, ColorSlots.of(box, few, many), LightSearch(box, surface))
-            if (plain.colors.lights.isNotEmpty()) return wider(plain, surface)
+            val isDead = isDead(box, few)
+            if (plain.colors.lights.isNotEmpty() && !isDead) return wider(plain, surface)
             for (exponent in EXPONENTS) {
                 val decoded = box.decodedBy(exponent)
                 val colors = ColorSlots.of(decoded, few, many)
                 if (colors.lights.isNotEmpty()) return FirstLook(decoded, colors, LightSearch(decoded, surface))
             }
+            val clamped = ColorSlots.of(box, few, many, isSumClamped = true)
+            if (clamped.lights.isNotEmpty() && !isDead) return FirstLook(box, clamped, search)
             // One light that divides by what was never sent can make all of the picture NaN.
             val zeros = SilentLights.zeros(box)
             val awake = SilentLights.awake(box, zeros)
@@ -62,10 +65,15 @@ internal class FirstLook private constructor(
             zeros: List<ActiveUniform>,
             samples: List<Sample>,
         ): Set<String> {
-            fun isDead(seen: BlackBox) = seen.shade(samples, Setting()).none { it.isFinite() }
-            if (!isDead(box)) return emptySet()
-            return zeros.filter { isDead(awake.withValues(mapOf(it.name to FloatArray(it.components)))) }.map { it.name }.toSet()
+            if (!isDead(box, samples)) return emptySet()
+            return zeros.filter { isDead(awake.withValues(mapOf(it.name to FloatArray(it.components))), samples) }.map { it.name }.toSet()
         }
+
+        /** Whether most of what [box] shows is no number. */
+        private fun isDead(
+            box: BlackBox,
+            samples: List<Sample>,
+        ) = box.shade(samples, Setting()).let { all -> all.count { it.isFinite() } < all.size / 2 }
 
         private val EXPONENTS = listOf(2.2, 1 / 2.2, 2.0, 0.5, 1.8, 2.4)
     }

@@ -64,21 +64,24 @@ internal class HighlightStudy(
         }
         val usual = falloff(emptyMap())
 
-        fun isFollowed(slot: ExponentSlot, isAlone: Boolean): Boolean {
-            val numbers = probe.box.values[slot.name] ?: FloatArray(1) { 1f }
-            val more = numbers.clone().also { it[slot.component] = it[slot.component] * 1.3f + 0.5f }
+        fun isFollowed(
+            slot: ActiveUniform,
+            component: Int,
+        ): Boolean {
+            val numbers = probe.box.values[slot.name] ?: FloatArray(slot.components) { 1f }
+            val more = numbers.clone().also { it[component] = it[component] * 1.3f + 0.5f }
             val changed = falloff(mapOf(slot.name to more))
             if (usual.indices.none { abs(changed[it] - usual[it]) > 1e-3 * abs(usual[it]) && changed[it].isFinite() }) return false
             // Another exponent is the same power of what there was everywhere; another place of the light is not.
             val powers = usual.indices.map { ln(changed[it]) / ln(usual[it]) }
-            return isAlone || powers.all { abs(it - powers[0]) < 1e-2 * abs(powers[0]) }
+            return slot.components == 1 || powers.all { abs(it - powers[0]) < 1e-2 * abs(powers[0]) }
         }
-        val (single, vectors) = probe.box.program.uniforms.partition { it.type in NUMBERS }
-        val parts = vectors.filter { it.type in VECTORS }.flatMap { slot -> List(slot.components) { ExponentSlot(slot.name, it) } }
+        val uniforms = probe.box.program.uniforms
         // A small whole number is a count of lights or an index: not to be driven out of its array.
-        val alone = single.filter { it.type == GL_FLOAT || (probe.box.values[it.name]?.firstOrNull() ?: 1f) >= 8 }
-        return alone.map { ExponentSlot(it.name, 0) }.firstOrNull { isFollowed(it, isAlone = true) }
-            ?: parts.firstOrNull { isFollowed(it, isAlone = false) }
+        val single = uniforms.filter { it.type == GL_FLOAT || (it.type == GL_INT && (probe.box.values[it.name]?.firstOrNull() ?: 1f) >= 8) }
+        return (single + uniforms.filter { it.type in VECTORS }).firstNotNullOfOrNull { slot ->
+            (0 until slot.components).firstOrNull { isFollowed(slot, it) }?.let { ExponentSlot(slot.name, it) }
+        }
     }
 
     /** Compares the strength of the highlight with that of the diffuse term inside and outside of the cone, near and far. */
@@ -145,7 +148,6 @@ internal class HighlightStudy(
     }
 
     private companion object {
-        val NUMBERS = setOf(GL_FLOAT, GL_INT)
         val VECTORS = setOf(GL_FLOAT_VEC2, GL_FLOAT_VEC3, GL_FLOAT_VEC4)
         const val STRENGTHS = 120
         const val BESIDE = 0.02

@@ -26,7 +26,9 @@ internal object ProgramDeviations {
     private fun all(study: ProgramStudy): List<Deviation> {
         val sent = study.numbersSent() + study.box.program.constants.values.flatMap { it.toList() }.map { it.toDouble() }
         val ofLights = study.shining.flatMap { LightDeviations.of(it, study) + cone(it, study, sent) }
-        return ofLights + silent(study) + MaterialDeviations.of(study) + emission(study) + view(study)
+        // Clamped is only the sum: what each light takes away is missing from the others.
+        val sum = if (study.colors.isSumClamped) listOf(Deviation(Mistake.CLAMP_MISSING, "", 0.0, 1.0)) else emptyList()
+        return ofLights + sum + silent(study) + MaterialDeviations.of(study) + emission(study) + view(study)
     }
 
     private fun cone(

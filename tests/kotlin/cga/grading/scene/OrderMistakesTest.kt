@@ -156,6 +156,18 @@ class OrderMistakesTest {
     }
 
     @Test
+    fun `a light where the world begins may be meant, whatever else is sent to nobody`() {
+        val rig = object : Rig() {
+            override fun lights(moment: Moment, t: Double, view: Matrix4d) = super.lights(moment, t, view).map {
+                val position = if (it.name == "corner[2]") view.transformPosition(Vector3d()) else it.position
+                ObservedLight(it.name, position, it.color, it.k, it.spot, placedBy = "${it.name}.place")
+            }
+        }
+        val events = listOf(CapturedEvent(EventKind.UNIFORM_ABSENT, 0, "sunPosition"))
+        rig.verdict(events = events, program = ProgramFacts(unset = setOf("corner[2].place"))).assertRight()
+    }
+
+    @Test
     fun `a number of the cone that waits while one of much the same name is sent is misspelt`() {
         val program = ProgramFacts(unset = setOf("spotInner"))
         val verdict = Rig().verdict(events = listOf(CapturedEvent(EventKind.UNIFORM_ABSENT, 0, "spotlnner")), program = program)

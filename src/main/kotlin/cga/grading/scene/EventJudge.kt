@@ -72,9 +72,14 @@ internal class EventJudge(
         book.lacks("the numbers of $names", setOf(Check.POINT_LIGHT, Check.MORE_LIGHTS, Check.MORE_LIGHTS_SHADING), emptySet())
     }
 
-    /** Lights whose place never arrives stand where the world begins: that is no will of the submission's. */
+    /**
+     * Lights whose place never arrives stand where the world begins. That may be meant, unless a name much like it is sent to nobody, or it
+     * is sent while its program is not in use.
+     */
     private fun unplaced() {
-        val places = lights.mapNotNull { it.last.placedBy }.filter { it in program.unset.orEmpty() }.ifEmpty { return }
+        val lost = texts(EventKind.UNIFORM_ABSENT) + texts(EventKind.UNIFORM_WITHOUT_PROGRAM).map { it.substringAfter(' ') }
+        val waiting = lights.mapNotNull { it.last.placedBy }.filter { it in program.unset.orEmpty() }
+        val places = waiting.filter { place -> lost.any { editDistance(it, place) <= place.length / MUCH_ALIKE } }.ifEmpty { return }
         book.lacks(
             places.joinToString(),
             setOf(Check.POINT_LIGHT_CHILD, Check.POINT_LIGHT_POSITION, Check.SPOT_LIGHT_CHILD, Check.MORE_LIGHTS),
@@ -162,6 +167,9 @@ internal class EventJudge(
 
         /** What half a cone may look like. */
         val CONES = Mistake.entries.filter { it.check == Check.CONE || it.check == Check.SPOT_DIRECTION }.toSet()
+
+        /** Of so many letters of two names for one thing at most one differs: `lights[0].pos`, `lights[0].position`. */
+        const val MUCH_ALIKE = 3
 
         /** An error that every tolerance of the rubric allows. */
         const val SOUND = 0.01

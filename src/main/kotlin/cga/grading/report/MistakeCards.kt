@@ -56,12 +56,19 @@ private fun FlowContent.card(found: Found, lost: Double, proofs: List<EvidenceVi
             }
             hint(words.hint, messages)
             proofs.take(MOST_PROOFS).forEach { proof(it, messages) }
-            if (found.mistake != Mistake.UNKNOWN && found.difference > 0) {
+            if (found.mistake !in UNFITTED && found.difference > 0) {
                 p("note") { +messages.text("page.fit", messages.percent((found.fit / found.difference).coerceIn(0.0, 1.0))) }
             }
         }
     }
 }
+
+/** What no formula was fitted for: it is unknown, or a log tells it. */
+private val UNFITTED =
+    setOf(
+        Mistake.UNKNOWN, Mistake.SHADER_REFUSED, Mistake.GLSL_DRIVER, Mistake.KOTLIN_REFUSED, Mistake.UNIFORM_ABSENT,
+        Mistake.UNIFORM_BEFORE_USE,
+    )
 
 private fun FlowContent.proof(view: EvidenceView, messages: Messages) {
     p("caption") { +cleanLine(messages.say(view.evidence.title)) }

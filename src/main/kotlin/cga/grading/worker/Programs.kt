@@ -6,16 +6,11 @@ import cga.grading.capture.EventKind
 import org.lwjgl.opengl.GL33C.*
 import org.lwjgl.system.MemoryStack
 
-/**
- * The submission's shaders and programs. One that does not compile or link is noted and said again in GLSL's own [Dialect], or replaced by
- * a [ShaderStub], and the submission is told that all is well: so it goes on and the rest of it can be seen.
- */
+/** The submission's programs, and what each of them reads. */
 internal class Programs(private val tape: Tape) {
+    private val repair = ShaderRepair(tape)
     private val linked = HashMap<Int, Linked>()
     private val outputs = HashMap<Int, MutableMap<String, Int>>()
-
-    /** The submission's own sources of the shaders that were replaced. */
-    private val replaced = HashMap<Int, String>()
 
     /** A program after its last link; [number] on the tape is null when a capture cannot hold it. */
     class Linked(
@@ -39,59 +34,16 @@ internal class Programs(private val tape: Tape) {
     }
 
     /** To be called after glCompileShader. */
-    fun compiled(shader: Int) {
-        replaced -= shader
-        if (!glIsShader(shader) || glGetShaderi(shader, GL_COMPILE_STATUS) == GL_TRUE) return
-        val stage = stageName(glGetShaderi(shader, GL_SHADER_TYPE))
-        val source = glGetShaderSource(shader)
-        val log = glGetShaderInfoLog(shader)
-        if (Dialect.of(source).any { compiles(shader, it) }) return tape.event(EventKind.SHADER_DIALECT, "$stage\n$log")
-        tape.event(EventKind.SHADER_FAILED, "$stage (a stand-in takes its place)\n$log")
-        replaced[shader] = source
-        val stub = stub(shader)
-        if (!compiles(shader, stub.full)) compiles(shader, stub.bare)
-    }
+    fun compiled(shader: Int): Unit = repair.compiled(shader)
 
     /** To be called after glLinkProgram. */
     fun linked(program: Int) {
         linked -= program
         if (!glIsProgram(program)) return
         val shaders = shaders(program)
-        val own = shaders.filter { it !in replaced }
-        if (own.size < shaders.size || !fits(program, shaders)) substitute(program, shaders)
-        if (glGetProgrami(program, GL_LINK_STATUS) == GL_TRUE) linked[program] = describe(program, shaders)
-        // Another program may be linked of them too.
-        own.forEach { shader -> replaced.remove(shader)?.let { compiles(shader, it) } }
-    }
-
-    /** Whether the stages fit together; what one of them calls otherwise than the other is called alike. */
-    private fun fits(
-        program: Int,
-        shaders: List<Int>,
-    ): Boolean {
-        val isLinked = glGetProgrami(program, GL_LINK_STATUS) == GL_TRUE
-        val vertex = shaders.singleOrNull { glGetShaderi(it, GL_SHADER_TYPE) == GL_VERTEX_SHADER }
-        val fragment = shaders.singleOrNull { glGetShaderi(it, GL_SHADER_TYPE) == GL_FRAGMENT_SHADER }
-        val varyings = if (vertex == null || fragment == null) null else Varyings(glGetShaderSource(vertex), glGetShaderSource(fragment))
-        val missing = varyings?.missing.orEmpty()
-        if (isLinked && missing.isEmpty()) return true
-        val log = "${glGetProgramInfoLog(program)}\n${missing.joinToString("\n") { "$it is read and never written" }}"
-        val matched = varyings?.matched()
-        if (fragment != null && matched != null && links(program, mapOf(fragment to matched))) {
-            tape.event(EventKind.LINK_FAILED, "names that are much alike were taken for the same\n${log.trim()}")
-            return true
+        repair.linked(program, shaders) {
+            if (glGetProgrami(program, GL_LINK_STATUS) == GL_TRUE) linked[program] = describe(program, shaders)
         }
-        tape.event(EventKind.LINK_FAILED, "stand-ins take the place of its shaders\n${log.trim()}")
-        return false
-    }
-
-    /** Replaces all stages: one that stayed would lose the uniforms that it hands on to nobody. */
-    private fun substitute(
-        program: Int,
-        shaders: List<Int>,
-    ) {
-        val stubs = shaders.associateWith(::stub)
-        listOf(ShaderStub::alone, ShaderStub::bare).firstOrNull { source -> links(program, stubs.mapValues { source(it.value) }) }
     }
 
     /** The [program] as it was last linked, null for what is none. */
@@ -130,7 +82,7 @@ internal class Programs(private val tape: Tape) {
             if (refusal != null) {
                 null
             } else {
-                tape.add(CapturedProgram(sources[0], sources[1], attributes, bound, shaders.any { it in replaced }))
+                tape.add(CapturedProgram(sources[0], sources[1], attributes, bound, shaders.any(repair::isReplaced)))
             }
         return Linked(number, attributes, uniforms)
     }
@@ -149,34 +101,4 @@ internal class Programs(private val tape: Tape) {
         if (names.isNotEmpty()) glGetAttachedShaders(program, null, names)
         return names.toList()
     }
-
-    private fun stub(shader: Int): ShaderStub {
-        val source = replaced.getOrPut(shader) { glGetShaderSource(shader) }
-        return ShaderStub(source, glGetShaderi(shader, GL_SHADER_TYPE) == GL_VERTEX_SHADER)
-    }
-
-    private fun compiles(
-        shader: Int,
-        source: String,
-    ): Boolean {
-        glShaderSource(shader, source)
-        glCompileShader(shader)
-        return glGetShaderi(shader, GL_COMPILE_STATUS) == GL_TRUE
-    }
-
-    private fun links(
-        program: Int,
-        sources: Map<Int, String>,
-    ): Boolean {
-        if (!sources.all { (shader, source) -> compiles(shader, source) }) return false
-        glLinkProgram(program)
-        return glGetProgrami(program, GL_LINK_STATUS) == GL_TRUE
-    }
-
-    private fun stageName(stage: Int) =
-        when (stage) {
-            GL_VERTEX_SHADER -> "vertex shader"
-            GL_FRAGMENT_SHADER -> "fragment shader"
-            else -> "shader of stage $stage"
-        }
 }

@@ -76,7 +76,7 @@ internal class Quarrel(
     private companion object {
         const val RIGHT = 0.02
         val DIRECTION = setOf(Mistake.SPOT_DIRECTION_WORLD, Mistake.SPOT_DIRECTION_LOCAL, Mistake.SPOT_DIRECTION_SIGN)
-        val CONE = Mistake.entries.filter { it.check == Check.CONE }.toSet()
+        val CONE = VerdictTraces.CONES
 
         /** These the study names by the curve. */
         val FORM = setOf(Mistake.ATTENUATION_MISSING, Mistake.ATTENUATION_LINEAR)

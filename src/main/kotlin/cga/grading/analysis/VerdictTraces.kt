@@ -29,8 +29,8 @@ internal object VerdictTraces {
                 Mistake.ATTENUATION_OTHER_K, Mistake.TO_LIGHT_WORLD, Mistake.LIGHT_POSITION_OVERWRITTEN, Mistake.UNKNOWN,
             )
 
-    /** What half a cone looks like, where its other number never arrives. */
-    private val CONES = Mistake.entries.filter { it.check == Check.CONE }.toSet()
+    /** What may be wrong with a cone; and what half a one looks like, where its other number never arrives. */
+    val CONES: Set<Mistake> = Mistake.entries.filter { it.check == Check.CONE }.toSet()
     private val EMISSION = setOf(Mistake.EMISSION_COLOR_IGNORED, Mistake.EMISSION_MULTIPLIED, Mistake.EMISSION_MISSING)
 
     /** By the cause: what it may look like. Where light cannot be placed without a diffuse term, nothing of it is seen. */

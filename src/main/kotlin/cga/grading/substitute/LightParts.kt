@@ -1,5 +1,6 @@
 package cga.grading.substitute
 
+import cga.grading.scene.SceneProfile
 import org.joml.Vector3d
 import org.lwjgl.opengl.GL33C.GL_FLOAT
 import org.lwjgl.opengl.GL33C.GL_FLOAT_VEC2
@@ -100,7 +101,7 @@ internal class LightGroups(
         val EYE = listOf("cam", "eye", "auge", "kamera")
         val AMBIENT = listOf("amb")
         val HEADLIGHT = listOf("spot", "head", "scheinw", "strahler", "front", "beam")
-        val TABLE_1 = listOf(Vector3d(1.0, 0.5, 0.1), Vector3d(0.5, 0.05, 0.01))
+        val TABLE_1 = with(SceneProfile.SHEET) { listOfNotNull(pointK, spotK) }
         const val SAME = 1e-6
     }
 }

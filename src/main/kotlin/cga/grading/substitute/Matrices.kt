@@ -31,11 +31,7 @@ internal class Matrices private constructor(
             val view = moved.minByOrNull { if (isView(it)) 0 else 1 } ?: steady.find(::isView)
             val model = moving.find { sent.isStillSomewhere(it) } ?: if (moving.isEmpty()) only(steady - setOfNotNull(view)) else null
             val whole = moving.filter { it != model }.minByOrNull { if (isView(it)) 0 else 1 }
-            val modelView =
-                when {
-                    view != null && model != null -> "$view * $model"
-                    else -> whole ?: model.takeIf { view == null && moving.size == 1 && !sent.isStillSomewhere(it.orEmpty()) }
-                }
+            val modelView = if (view != null && model != null) "$view * $model" else whole
             val (pure, product) = deep.partition { name -> sent.everywhere { isProjection(it.matrix(name)) } }
             val (cameras, objects) = product
                 .filter { name -> sent.everywhere { ViewProjection.of(it.matrix(name)) != null } }

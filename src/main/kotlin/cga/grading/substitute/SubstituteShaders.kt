@@ -14,11 +14,11 @@ internal class SubstituteShaders private constructor(
     private val stub: CapturedProgram,
     private val sent: Sent,
     private val matrices: Matrices,
+    private val vertexText: Declarations,
+    private val fragmentText: Declarations,
 ) {
     private val groups = LightGroups(sent)
     private val tracks = Tracks(sent, matrices)
-    private val vertexText = Declarations.of(stub.vertexSource)
-    private val fragmentText = Declarations.of(stub.fragmentSource)
     private val shared = (vertexText.shared + fragmentText.shared).distinct().joinToString("\n")
     val isWhole: Boolean =
         groups.rest.isEmpty() && groups.lights.none { it.attenuation == null } &&
@@ -122,9 +122,10 @@ internal class SubstituteShaders private constructor(
             stub: CapturedProgram,
             sent: Sent,
         ): SubstituteShaders? {
-            val isPlaced = Declarations.of(stub.vertexSource).inputs.any { it.type in PLACES }
-            if (!isPlaced || Declarations.of(stub.fragmentSource).outputs.isEmpty()) return null
-            return Matrices.of(sent)?.let { SubstituteShaders(stub, sent, it) }
+            val vertex = Declarations.of(stub.vertexSource)
+            val fragment = Declarations.of(stub.fragmentSource)
+            if (vertex.inputs.none { it.type in PLACES } || fragment.outputs.isEmpty()) return null
+            return Matrices.of(sent)?.let { SubstituteShaders(stub, sent, it, vertex, fragment) }
         }
     }
 }

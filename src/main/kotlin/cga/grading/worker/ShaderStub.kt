@@ -8,10 +8,7 @@ internal class ShaderStub(
     source: String,
     private val isVertex: Boolean,
 ) {
-    private val text =
-        source
-            .replace(Regex("""/\*[\s\S]*?\*/"""), " ")
-            .replace(Regex("""//[^\n]*"""), "")
+    private val text = withoutComments(source)
     private val structs =
         STRUCT.findAll(text).associate { found ->
             found.groupValues[1] to MEMBER.findAll(found.groupValues[2]).flatMap(::declared).toList()
@@ -131,3 +128,7 @@ internal class ShaderStub(
             )
     }
 }
+
+/** The GLSL [source] without what is not read of it. */
+internal fun withoutComments(source: String): String =
+    source.replace(Regex("""/\*[\s\S]*?\*/"""), " ").replace(Regex("""//[^\n]*"""), "")

@@ -5,18 +5,20 @@ package cga.grading.worker
  * writes has no defined value, and another in each picture; some drivers do not even link it.
  */
 internal class Varyings(
-    private val vertex: String,
+    vertex: String,
     private val fragment: String,
 ) {
-    private val sent = declared(vertex, "out")
-    private val received = declared(fragment, "in").filterKeys { uses(it, fragment) > 1 }
+    private val vertexText = withoutComments(vertex)
+    private val fragmentText = withoutComments(fragment)
+    private val sent = declared(vertexText, "out")
+    private val received = declared(fragmentText, "in").filterKeys { uses(it, fragmentText) > 1 }
 
     /** What the fragment shader reads and the vertex shader does not write. */
-    val missing: Set<String> = (received.keys - sent.keys).filter { uses(it, vertex) == 0 }.toSet()
+    val missing: Set<String> = (received.keys - sent.keys).filter { uses(it, vertexText) == 0 }.toSet()
 
     /** The fragment shader with each name that is [missing] replaced by the likest of its type that is not read yet; null where there is none. */
     fun matched(): String? {
-        val spare = (sent - received.keys).filterKeys { uses(it, fragment) == 0 }.toMutableMap()
+        val spare = (sent - received.keys).filterKeys { uses(it, fragmentText) == 0 }.toMutableMap()
         return missing.fold(fragment) { text, name ->
             val alike = spare.filterValues { it == received[name] }.keys
             val meant = alike.maxByOrNull { it.commonPrefixWith(name).length + it.commonSuffixWith(name).length } ?: return null
@@ -28,18 +30,16 @@ internal class Varyings(
     private companion object {
         fun uses(
             name: String,
-            source: String,
-        ) = Regex("""\b$name\b""").findAll(withoutComments(source)).count()
-
-        fun withoutComments(source: String) = source.replace(Regex("""/\*[\s\S]*?\*/|//[^\n]*"""), " ")
+            text: String,
+        ) = Regex("""\b$name\b""").findAll(text).count()
 
         /** Name → type with qualifiers; blocks are matched by their own names and left out. */
         fun declared(
-            source: String,
+            text: String,
             direction: String,
         ): Map<String, String> =
             Regex("""(?<=[;}\n]|^)\s*((?:(?:flat|smooth|noperspective|centroid)\s+)*)$direction\s+(\w+)\s+([\w\s,\[\]]+);""")
-                .findAll(withoutComments(source))
+                .findAll(text)
                 .flatMap { found ->
                     found.groupValues[3].split(',').map {
                         it.substringBefore('[').trim() to "${found.groupValues[1]} ${found.groupValues[2]} ${it.substringAfter('[', "")}"

@@ -50,6 +50,8 @@ class CaptureFileTest {
         assertArrayEquals(SampleCapture.uniforms[0].numbers, draw.uniforms[0].numbers)
         assertArrayEquals(floatArrayOf(0f, 0.25f, 0.5f, 1f), (read.frames[0].steps[0] as CapturedClear).color)
         assertArrayEquals(SampleCapture.capture().frames[0].picture, read.frames[0].picture)
+        assertEquals(SampleCapture.limited, (read.frames[0].steps[2] as CapturedClear).writes)
+        assertEquals(listOf(false to GL_REPEAT, true to GL_CLAMP_TO_EDGE), read.textures.map { it.isCube to it.wrapR })
         assertNull(read.frames[1].picture)
         assertEquals(Moment.TIME_1 to 0.7, read.frames[1].moment to read.frames[1].time)
         assertEquals(Triple(EventKind.UNIFORM_ABSENT, 0, "früh"), read.events[0].let { Triple(it.kind, it.frame, it.text) })
@@ -154,7 +156,7 @@ class CaptureFileTest {
             return listOf(
                 arrayOf("program is 1", draw(s.draw(program = 1))),
                 arrayOf("mode is 7", draw(s.draw(mode = GL_QUADS))),
-                arrayOf("texture is not there", draw(s.draw(textures = mapOf(0 to 1)))),
+                arrayOf("texture is not there", draw(s.draw(textures = mapOf(0 to 2)))),
                 arrayOf("two uniforms", draw(s.draw(uniforms = s.uniforms + s.uniforms))),
                 arrayOf("two attributes", draw(s.draw(attributes = listOf(s.attribute(), s.attribute())))),
                 arrayOf("attribute's buffer is 2", draw(s.draw(attributes = listOf(s.attribute(buffer = 2))))),
@@ -180,11 +182,16 @@ class CaptureFileTest {
                 arrayOf("viewport", draw(s.draw(state = s.state.copy(viewport = listOf(0, 0, -1, 3))))),
                 arrayOf("unknown type 1", draw(s.draw(uniforms = listOf(UniformValue("u", 1, floatArrayOf(1f)))))),
                 arrayOf("clear's mask is 1", s.capture(listOf(s.clear(mask = 1)))),
+                arrayOf("scissor box", s.capture(listOf(s.clear(writes = WriteMask(listOf(0, 0, -1, 3), 15))))),
+                arrayOf("scissor box", draw(s.draw(state = s.state.copy(writes = WriteMask(listOf(0, 0), 15))))),
+                arrayOf("mask of channels is 16", draw(s.draw(state = s.state.copy(writes = WriteMask(null, 16))))),
                 arrayOf("clear's depth is NaN", s.capture(listOf(s.clear(depth = Double.NaN)))),
                 arrayOf("has no level", texture(s.texture(levels = emptyList()))),
                 arrayOf("level 0 of a 2x1 texture has 7 bytes", texture(s.texture(levels = listOf(ByteArray(7))))),
                 arrayOf("more levels", texture(s.texture(levels = listOf(ByteArray(8), ByteArray(4), ByteArray(4))))),
                 arrayOf("texture's width is 8193", texture(s.texture(width = 8193, levels = listOf(ByteArray(8193 * 4))))),
+                arrayOf("cube map is 2x1", texture(s.cube(height = 1, bytes = 48))),
+                arrayOf("level 0 of a 2x2 texture has 80 bytes", texture(s.cube(bytes = 80))),
                 arrayOf("wraps", texture(s.texture(wrap = GL_LINEAR))),
                 arrayOf("minFilter is 1", texture(s.texture(minFilter = 1))),
                 arrayOf("magFilter is 9987", texture(s.texture(magFilter = GL_LINEAR_MIPMAP_LINEAR))),

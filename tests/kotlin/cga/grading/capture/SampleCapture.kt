@@ -35,6 +35,15 @@ internal object SampleCapture {
         anisotropy: Float = 4f,
     ) = CapturedTexture(width, height, levels, wrap, GL_CLAMP_TO_EDGE, minFilter, magFilter, anisotropy, srgb = true)
 
+    fun cube(
+        height: Int = 2,
+        bytes: Int = 6 * 2 * 2 * 4,
+    ) = CapturedTexture(
+        2, height, listOf(ByteArray(bytes)), GL_REPEAT, GL_REPEAT, GL_LINEAR, GL_LINEAR, isCube = true, wrapR = GL_CLAMP_TO_EDGE,
+    )
+
+    val limited: WriteMask = WriteMask(listOf(1, 0, 2, 2), 0b0111)
+
     fun attribute(
         buffer: Int = 0,
         offset: Long = 0,
@@ -67,11 +76,12 @@ internal object SampleCapture {
     fun clear(
         mask: Int = GL_COLOR_BUFFER_BIT or GL_DEPTH_BUFFER_BIT,
         depth: Double = 1.0,
-    ) = CapturedClear(mask, floatArrayOf(0f, 0.25f, 0.5f, 1f), depth)
+        writes: WriteMask = WriteMask.ALL,
+    ) = CapturedClear(mask, floatArrayOf(0f, 0.25f, 0.5f, 1f), depth, writes)
 
     fun capture(
-        steps: List<CapturedStep> = listOf(clear(), draw()),
-        textures: List<CapturedTexture> = listOf(texture()),
+        steps: List<CapturedStep> = listOf(clear(), draw(), clear(writes = limited)),
+        textures: List<CapturedTexture> = listOf(texture(), cube()),
         picture: ByteArray? = ByteArray(4 * WIDTH * HEIGHT) { it.toByte() },
         events: List<CapturedEvent> = listOf(CapturedEvent(EventKind.UNIFORM_ABSENT, 0, "früh")),
         width: Int = WIDTH,

@@ -4,6 +4,7 @@ import cga.framework.RenderTarget
 import cga.grading.capture.CapturedDraw
 import cga.grading.capture.EventKind
 import cga.grading.capture.Moment
+import cga.grading.capture.WriteMask
 import cga.grading.replay.Replay
 import cga.testing.Offscreen
 import org.junit.jupiter.api.Assertions.assertArrayEquals
@@ -13,6 +14,7 @@ import org.junit.jupiter.api.Assertions.assertNotEquals
 import org.junit.jupiter.api.Assertions.assertTrue
 import org.junit.jupiter.api.Test
 import org.junit.jupiter.api.extension.ExtendWith
+import org.lwjgl.opengl.GL33C.GL_NEAREST
 import kotlin.io.path.exists
 
 /** Small programs run in a worker of their own, and what their captures tell. */
@@ -92,6 +94,19 @@ class WorkerTest {
         val (first, second) = run.draws(0)
         assertNotEquals(first.textures, second.textures)
         assertNotEquals(first.attributes[0].buffer, run.draws(1)[0].attributes[0].buffer)
+    }
+
+    @Test
+    fun `cube maps, sampler objects, scissors and colour masks are captured`() {
+        val run = WorkerProcess.ofStudent("Stargazer")
+        assertEquals(emptyList<String>(), run.capture.events.map { "${it.kind} ${it.text}" })
+        assertReplays(run)
+        val sky = run.capture.textures.single()
+        assertTrue(sky.isCube)
+        assertEquals(6 * 4 * 4 * 4, sky.levels.single().size)
+        assertEquals(GL_NEAREST, sky.minFilter)
+        val writes = run.draws(1).map { it.state.writes }.distinct()
+        assertEquals(listOf(WriteMask.ALL, WriteMask(listOf(10, 20, 300, 200), 0b1101)), writes)
     }
 
     @Test

@@ -8,6 +8,7 @@ import cga.grading.substitute.Substitutes
 import org.lwjgl.opengl.GL33C.GL_BOOL
 import org.lwjgl.opengl.GL33C.GL_INT
 import org.lwjgl.opengl.GL33C.GL_SAMPLER_2D
+import org.lwjgl.opengl.GL33C.GL_SAMPLER_CUBE
 
 /** What a capture tells of its programs without running them. */
 internal class CaptureFacts(private val capture: Capture) {
@@ -42,6 +43,6 @@ internal class CaptureFacts(private val capture: Capture) {
 
     private companion object {
         /** Numbers for which 0 is as good as any. */
-        val WHOLE = setOf(GL_SAMPLER_2D, GL_INT, GL_BOOL)
+        val WHOLE = setOf(GL_SAMPLER_2D, GL_SAMPLER_CUBE, GL_INT, GL_BOOL)
     }
 }

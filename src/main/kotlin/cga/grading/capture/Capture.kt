@@ -1,5 +1,7 @@
 package cga.grading.capture
 
+import org.lwjgl.opengl.GL33C.GL_REPEAT
+
 /**
  * Everything that one run of a submission handed to OpenGL, as plain data: enough to draw its frames again without the submission.
  *
@@ -37,11 +39,13 @@ public class CapturedProgram(
 )
 
 /**
- * A 2D texture.
+ * A 2D texture, or a cube map.
  *
- * @param levels RGBA, 8 bits a channel, first row at the bottom as OpenGL has it; level i is max(1, width >> i) wide.
+ * @param levels RGBA, 8 bits a channel, first row at the bottom as OpenGL has it; level i is max(1, width >> i) wide. A cube map's levels are
+ * its six faces one after the other, in the order of OpenGL's constants.
  * @param wrapS as all other parameters here OpenGL's own constant.
  * @param srgb whether the texels are sRGB-encoded and are decoded when sampled.
+ * @param wrapR of a cube map; of a 2D texture it means nothing.
  */
 public class CapturedTexture(
     public val width: Int,
@@ -53,7 +57,16 @@ public class CapturedTexture(
     public val magFilter: Int,
     public val maxAnisotropy: Float = 1f,
     public val srgb: Boolean = false,
-)
+    public val isCube: Boolean = false,
+    public val wrapR: Int = GL_REPEAT,
+) {
+    /** How many pictures a level is made of. */
+    public val faces: Int get() = if (isCube) CUBE_FACES else 1
+
+    private companion object {
+        const val CUBE_FACES = 6
+    }
+}
 
 /**
  * One picture.
@@ -72,11 +85,30 @@ public class CapturedFrame(
 /** What changes the picture, in order. */
 public sealed interface CapturedStep
 
+/**
+ * Which part of the framebuffer may be written.
+ *
+ * @param scissor x, y, width and height in pixels, null for all.
+ * @param channels one bit each for red, green, blue and alpha, red being 1.
+ */
+public data class WriteMask(
+    public val scissor: List<Int>?,
+    public val channels: Int,
+) {
+    public companion object {
+        public const val ALL_CHANNELS: Int = 15
+
+        /** Everything may be written. */
+        public val ALL: WriteMask = WriteMask(null, ALL_CHANNELS)
+    }
+}
+
 /** glClear. @param mask `GL_COLOR_BUFFER_BIT` and its like. */
 public class CapturedClear(
     public val mask: Int,
     public val color: FloatArray,
     public val depth: Double,
+    public val writes: WriteMask = WriteMask.ALL,
 ) : CapturedStep
 
 /**
@@ -146,6 +178,7 @@ public data class DrawState(
     public val blendDestination: Int,
     public val polygonMode: Int,
     public val framebufferSrgb: Boolean,
+    public val writes: WriteMask = WriteMask.ALL,
 )
 
 /**

@@ -34,11 +34,12 @@ internal class CaptureCheck(private val capture: Capture) {
     private fun check(texture: CapturedTexture) {
         expect(texture.levels.isNotEmpty()) { "a texture has no level" }
         texture.levels.forEachIndexed { level, texels ->
-            val size = 4L * maxOf(1, texture.width shr level) * maxOf(1, texture.height shr level)
+            val size = 4L * texture.faces * maxOf(1, texture.width shr level) * maxOf(1, texture.height shr level)
             expect(texels.size.toLong() == size) { "level $level of a ${texture.width}x${texture.height} texture has ${texels.size} bytes" }
         }
         expect(1 shl (texture.levels.size - 1) <= maxOf(texture.width, texture.height)) { "a texture has more levels than it can have" }
-        expect(texture.wrapS in WRAPS && texture.wrapT in WRAPS) { "a texture wraps in an unknown way" }
+        expect(!texture.isCube || texture.width == texture.height) { "a cube map is ${texture.width}x${texture.height}" }
+        expect(texture.wrapS in WRAPS && texture.wrapT in WRAPS && texture.wrapR in WRAPS) { "a texture wraps in an unknown way" }
         expect(texture.magFilter == GL_NEAREST || texture.magFilter == GL_LINEAR) { "a texture's magFilter is ${texture.magFilter}" }
         val minFilters = GlNumbers.mipmapFilters + GL_NEAREST + GL_LINEAR
         expect(texture.minFilter in minFilters) { "a texture's minFilter is ${texture.minFilter}" }
@@ -50,6 +51,7 @@ internal class CaptureCheck(private val capture: Capture) {
             "a clear's mask is ${clear.mask}"
         }
         expect(clear.depth in 0.0..1.0) { "a clear's depth is ${clear.depth}" }
+        check(clear.writes)
     }
 
     private fun check(draw: CapturedDraw) {
@@ -87,7 +89,14 @@ internal class CaptureCheck(private val capture: Capture) {
         return if (index < 0) -1 else index + draw.baseVertex
     }
 
+    private fun check(writes: WriteMask) {
+        expect(writes.channels in 0..WriteMask.ALL_CHANNELS) { "a mask of channels is ${writes.channels}" }
+        val box = writes.scissor ?: return
+        expect(box.size == SCISSOR && box[2] >= 0 && box[3] >= 0) { "a scissor box is $box" }
+    }
+
     private fun check(state: DrawState) {
+        check(state.writes)
         expect(state.viewport[2] >= 0 && state.viewport[3] >= 0) { "a viewport is ${state.viewport}" }
         expect(state.depthFunc in GL_NEVER..GL_ALWAYS) { "a depth function is ${state.depthFunc}" }
         expect(state.cullMode in setOf(GL_FRONT, GL_BACK, GL_FRONT_AND_BACK)) { "a cull mode is ${state.cullMode}" }
@@ -105,6 +114,7 @@ internal class CaptureCheck(private val capture: Capture) {
 
     private companion object {
         val WRAPS = setOf(GL_REPEAT, GL_MIRRORED_REPEAT, GL_CLAMP_TO_EDGE, GL_CLAMP_TO_BORDER)
+        const val SCISSOR = 4
         val FACTORS = setOf(GL_ZERO, GL_ONE) + (GL_SRC_COLOR..GL_SRC_ALPHA_SATURATE) + (GL_CONSTANT_COLOR..GL_ONE_MINUS_CONSTANT_ALPHA)
     }
 }

@@ -45,18 +45,23 @@ internal class CaptureReader(private val input: LimitedInput) {
         largest: Int,
     ) = input.map(what, CaptureLimits.ATTRIBUTES) { name() to input.int("one of the $what", 0..largest) }
 
-    private fun texture() =
-        CapturedTexture(
-            width = input.int("a texture's width", 1..SIDE),
-            height = input.int("a texture's height", 1..SIDE),
-            levels = input.list("levels", MAX_LEVELS) { input.bytes("a texture's level", 4 * SIDE * SIDE) },
-            wrapS = input.int(),
-            wrapT = input.int(),
-            minFilter = input.int(),
-            magFilter = input.int(),
-            maxAnisotropy = input.float(),
-            srgb = input.boolean(),
+    private fun texture(): CapturedTexture {
+        val width = input.int("a texture's width", 1..SIDE)
+        val height = input.int("a texture's height", 1..SIDE)
+        val levels = input.list("levels", MAX_LEVELS) { input.bytes("a texture's level", Int.MAX_VALUE - 16) }
+        val (wrapS, wrapT) = List(2) { input.int() }
+        val (minFilter, magFilter) = List(2) { input.int() }
+        val maxAnisotropy = input.float()
+        val kind = input.byte()
+        if (kind !in 0..(CaptureWriter.SRGB or CaptureWriter.CUBE)) throw BadCapture("$kind is no kind of texture")
+        val isCube = kind and CaptureWriter.CUBE != 0
+        return CapturedTexture(
+            width, height, levels, wrapS, wrapT, minFilter, magFilter, maxAnisotropy,
+            srgb = kind and CaptureWriter.SRGB != 0,
+            isCube = isCube,
+            wrapR = if (isCube) input.int() else wrapS,
         )
+    }
 
     private fun frame(pictureBytes: Long): CapturedFrame {
         val moment = entry("moment", Moment.entries)
@@ -67,15 +72,25 @@ internal class CaptureReader(private val input: LimitedInput) {
         return CapturedFrame(moment, time, steps, picture)
     }
 
-    private fun step(): CapturedStep =
-        when (val kind = input.byte()) {
+    private fun step(): CapturedStep {
+        val first = input.byte()
+        val isLimited = first == CaptureWriter.LIMITED
+        val writes = if (isLimited) writes() else WriteMask.ALL
+        return when (val kind = if (isLimited) input.byte() else first) {
             CaptureWriter.CLEAR ->
-                CapturedClear(input.int(), FloatArray(CaptureWriter.COLOR) { input.float() }, input.double())
-            CaptureWriter.DRAW -> draw()
+                CapturedClear(input.int(), FloatArray(CaptureWriter.COLOR) { input.float() }, input.double(), writes)
+            CaptureWriter.DRAW -> draw(writes)
             else -> throw BadCapture("$kind is no kind of step")
         }
+    }
 
-    private fun draw() =
+    private fun writes(): WriteMask {
+        val channels = input.byte()
+        val box = input.list("numbers of a scissor box", CaptureWriter.VIEWPORT) { input.int("a scissor box", -MAX_VIEWPORT..MAX_VIEWPORT) }
+        return WriteMask(box.takeIf { it.isNotEmpty() }, channels)
+    }
+
+    private fun draw(writes: WriteMask) =
         CapturedDraw(
             program = input.int(),
             mode = input.int(),
@@ -88,7 +103,7 @@ internal class CaptureReader(private val input: LimitedInput) {
             instances = input.int("the instances of a draw", 0..CaptureLimits.INSTANCES),
             uniforms = input.list("uniforms", CaptureLimits.UNIFORMS, ::uniform),
             textures = input.map("textures", CaptureLimits.UNITS) { input.int("a unit", 0 until CaptureLimits.UNITS) to input.int() },
-            state = state(),
+            state = state(writes),
         )
 
     private fun attribute() =
@@ -109,7 +124,7 @@ internal class CaptureReader(private val input: LimitedInput) {
         return UniformValue(name, type, FloatArray(size) { input.float() })
     }
 
-    private fun state(): DrawState {
+    private fun state(writes: WriteMask): DrawState {
         val viewport = List(CaptureWriter.VIEWPORT) { input.int("the viewport", -MAX_VIEWPORT..MAX_VIEWPORT) }
         val depthTest = input.boolean()
         val depthMask = input.boolean()
@@ -129,6 +144,7 @@ internal class CaptureReader(private val input: LimitedInput) {
             blendDestination = input.int(),
             polygonMode = input.int(),
             framebufferSrgb = framebufferSrgb,
+            writes = writes,
         )
     }
 

@@ -40,7 +40,8 @@ internal class CaptureWriter(private val out: DataOutputStream) {
         list(texture.levels, ::bytes)
         for (number in listOf(texture.wrapS, texture.wrapT, texture.minFilter, texture.magFilter)) out.writeInt(number)
         out.writeFloat(texture.maxAnisotropy)
-        out.writeBoolean(texture.srgb)
+        out.writeByte((if (texture.srgb) SRGB else 0) or (if (texture.isCube) CUBE else 0))
+        if (texture.isCube) out.writeInt(texture.wrapR)
     }
 
     private fun frame(frame: CapturedFrame) {
@@ -57,6 +58,7 @@ internal class CaptureWriter(private val out: DataOutputStream) {
     }
 
     private fun clear(clear: CapturedClear) {
+        writes(clear.writes)
         out.writeByte(CLEAR)
         out.writeInt(clear.mask)
         repeat(COLOR) { out.writeFloat(clear.color[it]) }
@@ -64,6 +66,7 @@ internal class CaptureWriter(private val out: DataOutputStream) {
     }
 
     private fun draw(draw: CapturedDraw) {
+        writes(draw.state.writes)
         out.writeByte(DRAW)
         for (number in listOf(draw.program, draw.mode, draw.count)) out.writeInt(number)
         list(draw.attributes, ::attribute)
@@ -82,6 +85,14 @@ internal class CaptureWriter(private val out: DataOutputStream) {
             out.writeInt(it.value)
         }
         state(draw.state)
+    }
+
+    /** Nearly every step may write everywhere: what limits one stands before it. */
+    private fun writes(mask: WriteMask) {
+        if (mask == WriteMask.ALL) return
+        out.writeByte(LIMITED)
+        out.writeByte(mask.channels)
+        list(mask.scissor.orEmpty(), out::writeInt)
     }
 
     private fun attribute(attribute: CapturedAttribute) {
@@ -122,6 +133,9 @@ internal class CaptureWriter(private val out: DataOutputStream) {
     internal companion object {
         const val CLEAR = 0
         const val DRAW = 1
+        const val LIMITED = 2
+        const val SRGB = 1
+        const val CUBE = 2
         const val COLOR = 4
         const val VIEWPORT = 4
     }

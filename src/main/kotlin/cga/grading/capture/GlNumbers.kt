@@ -34,7 +34,7 @@ public object GlNumbers {
     /** How many numbers a uniform of [type] has, null for a type that a capture cannot hold. */
     public fun components(type: Int): Int? =
         when (type) {
-            GL_FLOAT, GL_INT, GL_UNSIGNED_INT, GL_BOOL, GL_SAMPLER_2D -> 1
+            GL_FLOAT, GL_INT, GL_UNSIGNED_INT, GL_BOOL, GL_SAMPLER_2D, GL_SAMPLER_CUBE -> 1
             GL_FLOAT_VEC2, GL_INT_VEC2, GL_UNSIGNED_INT_VEC2, GL_BOOL_VEC2 -> 2
             GL_FLOAT_VEC3, GL_INT_VEC3, GL_UNSIGNED_INT_VEC3, GL_BOOL_VEC3 -> 3
             GL_FLOAT_VEC4, GL_INT_VEC4, GL_UNSIGNED_INT_VEC4, GL_BOOL_VEC4, GL_FLOAT_MAT2 -> 4
@@ -56,5 +56,6 @@ public object GlNumbers {
     private val WHOLE =
         setOf(
             GL_INT, GL_INT_VEC2, GL_INT_VEC3, GL_INT_VEC4, GL_BOOL, GL_BOOL_VEC2, GL_BOOL_VEC3, GL_BOOL_VEC4, GL_SAMPLER_2D,
+            GL_SAMPLER_CUBE,
         )
 }

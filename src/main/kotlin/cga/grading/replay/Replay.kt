@@ -5,6 +5,7 @@ import cga.grading.capture.Capture
 import cga.grading.capture.CapturedClear
 import cga.grading.capture.CapturedDraw
 import cga.grading.capture.DrawState
+import cga.grading.capture.WriteMask
 import org.lwjgl.opengl.GL33C.*
 
 /**
@@ -31,11 +32,12 @@ public class Replay(public val capture: Capture) : AutoCloseable {
         reset()
         capture.frames[frame].steps.forEachIndexed { number, step ->
             when (step) {
-                is CapturedClear -> clear(step)
+                is CapturedClear -> clear(step, target)
                 is CapturedDraw -> if (change.isDrawn(number, step)) draw(number, step, target, change)
             }
         }
         glBindVertexArray(0)
+        set(WriteMask.ALL, target)
         val error = glGetError()
         if (error != GL_NO_ERROR) throw ReplayError("OpenGL reported error 0x%X in frame %d of the capture".format(error, frame))
     }
@@ -57,8 +59,12 @@ public class Replay(public val capture: Capture) : AutoCloseable {
         glClear(GL_COLOR_BUFFER_BIT or GL_DEPTH_BUFFER_BIT)
     }
 
-    private fun clear(clear: CapturedClear) {
+    private fun clear(
+        clear: CapturedClear,
+        target: RenderTarget,
+    ) {
         glDepthMask(true)
+        set(clear.writes, target)
         glClearColor(clear.color[0], clear.color[1], clear.color[2], clear.color[3])
         glClearDepth(clear.depth)
         glClear(clear.mask)
@@ -85,6 +91,7 @@ public class Replay(public val capture: Capture) : AutoCloseable {
         for (unit in draw.textures.keys) {
             glActiveTexture(GL_TEXTURE0 + unit)
             glBindTexture(GL_TEXTURE_2D, 0)
+            glBindTexture(GL_TEXTURE_CUBE_MAP, 0)
         }
     }
 
@@ -116,13 +123,9 @@ public class Replay(public val capture: Capture) : AutoCloseable {
         state: DrawState,
         target: RenderTarget,
     ) {
-        val (x, y, width, height) = state.viewport
-        glViewport(
-            x * target.width / capture.width,
-            y * target.height / capture.height,
-            width * target.width / capture.width,
-            height * target.height / capture.height,
-        )
+        val (x, y, width, height) = scaled(state.viewport, target)
+        glViewport(x, y, width, height)
+        set(state.writes, target)
         enable(GL_DEPTH_TEST, state.depthTest)
         glDepthFunc(state.depthFunc)
         glDepthMask(state.depthMask)
@@ -134,6 +137,23 @@ public class Replay(public val capture: Capture) : AutoCloseable {
         glPolygonMode(GL_FRONT_AND_BACK, state.polygonMode)
         enable(GL_FRAMEBUFFER_SRGB, state.framebufferSrgb)
     }
+
+    private fun set(
+        writes: WriteMask,
+        target: RenderTarget,
+    ) {
+        glColorMask(writes.may(0), writes.may(1), writes.may(2), writes.may(3))
+        enable(GL_SCISSOR_TEST, writes.scissor != null)
+        val (x, y, width, height) = scaled(writes.scissor ?: return, target)
+        glScissor(x, y, width, height)
+    }
+
+    private fun WriteMask.may(channel: Int) = channels shr channel and 1 != 0
+
+    private fun scaled(
+        box: List<Int>,
+        target: RenderTarget,
+    ) = box.mapIndexed { i, number -> if (i % 2 == 0) number * target.width / capture.width else number * target.height / capture.height }
 
     private fun enable(
         switch: Int,

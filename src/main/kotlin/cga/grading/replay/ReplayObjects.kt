@@ -33,7 +33,8 @@ internal class ReplayObjects(private val capture: Capture) : AutoCloseable {
     /** Binds texture [number] to the active unit. */
     fun bindTexture(number: Int) {
         val name = textures[number]
-        if (name != null) glBindTexture(GL_TEXTURE_2D, name) else textures[number] = upload(capture.textures[number])
+        val texture = capture.textures[number]
+        if (name != null) glBindTexture(texture.target, name) else textures[number] = upload(texture)
     }
 
     /** Binds [picture] to the active unit; its top row is the texture's last. */
@@ -50,29 +51,45 @@ internal class ReplayObjects(private val capture: Capture) : AutoCloseable {
 
     private fun upload(texture: CapturedTexture): Int {
         val name = glGenTextures()
-        glBindTexture(GL_TEXTURE_2D, name)
+        val target = texture.target
+        glBindTexture(target, name)
         glPixelStorei(GL_UNPACK_ALIGNMENT, 4)
-        texture.levels.forEachIndexed { level, texels ->
-            withBytes(texels) {
-                glTexImage2D(
-                    GL_TEXTURE_2D, level, if (texture.srgb) GL_SRGB8_ALPHA8 else GL_RGBA8, maxOf(1, texture.width shr level),
-                    maxOf(1, texture.height shr level), 0, GL_RGBA, GL_UNSIGNED_BYTE, it,
-                )
-            }
-        }
-        glTexParameteri(GL_TEXTURE_2D, GL_TEXTURE_MAX_LEVEL, texture.levels.lastIndex)
-        glTexParameteri(GL_TEXTURE_2D, GL_TEXTURE_WRAP_S, texture.wrapS)
-        glTexParameteri(GL_TEXTURE_2D, GL_TEXTURE_WRAP_T, texture.wrapT)
-        glTexParameteri(GL_TEXTURE_2D, GL_TEXTURE_MIN_FILTER, texture.minFilter)
-        glTexParameteri(GL_TEXTURE_2D, GL_TEXTURE_MAG_FILTER, texture.magFilter)
+        texture.levels.forEachIndexed { level, texels -> upload(texture, level, texels) }
+        glTexParameteri(target, GL_TEXTURE_MAX_LEVEL, texture.levels.lastIndex)
+        glTexParameteri(target, GL_TEXTURE_WRAP_S, texture.wrapS)
+        glTexParameteri(target, GL_TEXTURE_WRAP_T, texture.wrapT)
+        glTexParameteri(target, GL_TEXTURE_WRAP_R, texture.wrapR)
+        glTexParameteri(target, GL_TEXTURE_MIN_FILTER, texture.minFilter)
+        glTexParameteri(target, GL_TEXTURE_MAG_FILTER, texture.magFilter)
         // Without mipmaps software rendering can hang on it, and the worker turned it off as well.
         if (texture.maxAnisotropy > 1f && texture.minFilter in GlNumbers.mipmapFilters &&
             GL.getCapabilities().GL_EXT_texture_filter_anisotropic
         ) {
-            glTexParameterf(GL_TEXTURE_2D, GL_TEXTURE_MAX_ANISOTROPY_EXT, texture.maxAnisotropy)
+            glTexParameterf(target, GL_TEXTURE_MAX_ANISOTROPY_EXT, texture.maxAnisotropy)
         }
         return name
     }
+
+    private fun upload(
+        texture: CapturedTexture,
+        level: Int,
+        texels: ByteArray,
+    ) {
+        val face = texels.size / texture.faces
+        val width = maxOf(1, texture.width shr level)
+        val height = maxOf(1, texture.height shr level)
+        withBytes(texels) { bytes ->
+            for (number in 0 until texture.faces) {
+                glTexImage2D(
+                    if (texture.isCube) GL_TEXTURE_CUBE_MAP_POSITIVE_X + number else GL_TEXTURE_2D, level,
+                    if (texture.srgb) GL_SRGB8_ALPHA8 else GL_RGBA8, width, height, 0, GL_RGBA, GL_UNSIGNED_BYTE,
+                    bytes.position(number * face),
+                )
+            }
+        }
+    }
+
+    private val CapturedTexture.target: Int get() = if (isCube) GL_TEXTURE_CUBE_MAP else GL_TEXTURE_2D
 
     override fun close() {
         programs.values.forEach { glDeleteProgram(it.name) }

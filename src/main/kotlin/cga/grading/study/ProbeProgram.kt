@@ -14,6 +14,8 @@ internal class ActiveUniform(
     val text: String,
 ) {
     val components: Int = componentsOf(type)
+
+    /** Whether it reads a 2D texture. */
     val isSampler: Boolean get() = type == GL_SAMPLER_2D
 
     private fun componentsOf(type: Int) =
@@ -62,13 +64,14 @@ internal class ProbeProgram(
         uniforms = own
         deep = lifts
         glUseProgram(id)
-        uniforms.filter { it.isSampler }.forEachIndexed { unit, sampler -> glUniform1i(sampler.location, unit) }
+        val cubes = uniforms.filter { it.type == GL_SAMPLER_CUBE }
+        (samplers + cubes).forEachIndexed { unit, sampler -> glUniform1i(sampler.location, unit) }
     }
 
     /** All values of uniforms in [draw], those of the lifted constants among them. */
     fun values(draw: CapturedDraw): Map<String, FloatArray> = constants + draw.uniforms.associate { it.name to it.numbers }
 
-    /** The samplers; number i reads texture unit i. */
+    /** The samplers of 2D textures; number i reads texture unit i. Those of cube maps find nothing, which is black. */
     val samplers: List<ActiveUniform> get() = uniforms.filter { it.isSampler }
 
     /** Names of the 4 × 4 matrices. */
@@ -78,7 +81,7 @@ internal class ProbeProgram(
     fun send(values: Map<String, FloatArray>) {
         for (uniform in uniforms + deep) {
             val value = values[uniform.name] ?: continue
-            if (uniform.isSampler || sent[uniform.name].contentEquals(value)) continue
+            if (uniform.isSampler || uniform.type == GL_SAMPLER_CUBE || sent[uniform.name].contentEquals(value)) continue
             send(uniform, value)
             sent[uniform.name] = value
         }

@@ -1,16 +1,12 @@
 package cga.grading.worker
 
 import cga.grading.capture.CapturedClear
-import cga.grading.capture.EventKind
 import org.lwjgl.opengl.GL33C.*
 import org.lwjgl.system.MemoryStack
 import org.lwjgl.system.MemoryUtil
 
 /** Reads what the functions clear that do. */
-internal class ClearCalls(
-    private val tape: Tape,
-    private val window: WindowFramebuffer,
-) {
+internal object ClearCalls {
     /** What [call] clears, null for nothing that a picture shows. */
     fun step(call: Call): CapturedClear? {
         val clear =
@@ -21,13 +17,9 @@ internal class ClearCalls(
                 else -> null
             } ?: return null
         if (clear.mask and ALL.inv() != 0) return null
-        if (State.isCut(window.width, window.height)) tape.event(EventKind.NOT_CAPTURED, "${call.name} with GL_SCISSOR_TEST")
-        if (clear.mask and GL_COLOR_BUFFER_BIT != 0 && State.hasMaskedColor()) {
-            tape.event(EventKind.NOT_CAPTURED, "${call.name} with glColorMask")
-        }
         // What may not be written is not cleared either.
         val mask = if (glGetBoolean(GL_DEPTH_WRITEMASK)) clear.mask else clear.mask and GL_DEPTH_BUFFER_BIT.inv()
-        return CapturedClear(mask, clear.color, clear.depth.coerceIn(0.0, 1.0))
+        return CapturedClear(mask, clear.color, clear.depth.coerceIn(0.0, 1.0), State.writes())
     }
 
     private fun buffer(call: Call): CapturedClear? =
@@ -51,7 +43,5 @@ internal class ClearCalls(
 
     private fun depth(): Double = glGetDouble(GL_DEPTH_CLEAR_VALUE)
 
-    private companion object {
-        const val ALL = GL_COLOR_BUFFER_BIT or GL_DEPTH_BUFFER_BIT or GL_STENCIL_BUFFER_BIT
-    }
+    private const val ALL = GL_COLOR_BUFFER_BIT or GL_DEPTH_BUFFER_BIT or GL_STENCIL_BUFFER_BIT
 }

@@ -13,7 +13,6 @@ import org.lwjgl.opengl.GL33C.*
 internal class Draws(
     private val tape: Tape,
     private val programs: Programs,
-    private val window: WindowFramebuffer,
 ) {
     val buffers: Buffers = Buffers(tape)
     val textures: Textures = Textures(tape)
@@ -49,7 +48,7 @@ internal class Draws(
         val values = program.uniforms.map { Uniforms.value(name, it) }
         val number = program.number
         if (number == null || (indices != null && indices.number == null)) return refuse("$function of what a capture cannot hold", true)
-        State.unusual(window.width, window.height)?.let { tape.event(EventKind.NOT_CAPTURED, "$function with $it") }
+        State.unusual()?.let { tape.event(EventKind.NOT_CAPTURED, "$function with $it") }
         val draw =
             CapturedDraw(
                 number, call.mode, call.count, attributes, indices?.number, call.indexType, call.first, call.baseVertex, call.instances,
@@ -108,18 +107,17 @@ internal class Draws(
         buffers.contents(attribute(attribute.location, GL_VERTEX_ATTRIB_ARRAY_BUFFER_BINDING)).bytes.size
 
     private fun textures(uniforms: List<UniformValue>): Map<Int, Int> {
-        val samplers = uniforms.filter { it.type == GL_SAMPLER_2D }
+        val samplers = uniforms.mapNotNull { uniform -> TextureTarget.ofSampler(uniform.type)?.let { uniform to it } }
         if (samplers.isEmpty()) return emptyMap()
         val active = glGetInteger(GL_ACTIVE_TEXTURE)
         val numbers = LinkedHashMap<Int, Int>()
-        for (sampler in samplers) {
+        for ((sampler, target) in samplers) {
             val unit = sampler.numbers[0].toInt()
             if (unit !in 0 until CaptureLimits.UNITS || unit in numbers) continue
             glActiveTexture(GL_TEXTURE0 + unit)
-            val name = glGetInteger(GL_TEXTURE_BINDING_2D)
+            val name = glGetInteger(target.binding)
             if (name == 0) continue
-            if (glGetInteger(GL_SAMPLER_BINDING) != 0) tape.event(EventKind.NOT_CAPTURED, "${sampler.name}: a sampler object")
-            textures.number(name, sampler.name)?.let { numbers[unit] = it }
+            textures.number(name, target, sampler.name)?.let { numbers[unit] = it }
         }
         glActiveTexture(active)
         return numbers

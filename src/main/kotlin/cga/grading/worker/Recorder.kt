@@ -14,9 +14,8 @@ internal class Recorder(
 ) {
     private val errors = Errors(tape)
     private val programs = Programs(tape)
-    private val draws = Draws(tape, programs, window)
+    private val draws = Draws(tape, programs)
     private val framebuffers = FramebufferCalls(tape, window)
-    private val clears = ClearCalls(tape, window)
     private val writes = WriteCalls(draws.buffers.writes, draws.textures.writes)
     private val sentTwice = SentTwice(programs, tape)
     private val steps = ArrayList<CapturedStep>()
@@ -127,7 +126,7 @@ internal class Recorder(
         val moment = moment
         val isOurs = window.isDrawnTo()
         if (!isOurs) writes.noteDrawing()
-        val step = if (moment != null && isOurs) clears.step(call) else null
+        val step = if (moment != null && isOurs) ClearCalls.step(call) else null
         if (moment?.drawn != false || step == null) call.proceed()
         if (!errors.check(call.name) && step != null && tape.affordStep(1)) steps += step
     }

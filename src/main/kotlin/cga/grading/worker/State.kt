@@ -1,6 +1,7 @@
 package cga.grading.worker
 
 import cga.grading.capture.DrawState
+import cga.grading.capture.WriteMask
 import org.lwjgl.opengl.GL33C.*
 import org.lwjgl.system.MemoryStack
 
@@ -20,41 +21,26 @@ internal object State {
             blendDestination = glGetInteger(GL_BLEND_DST_RGB),
             polygonMode = glGetInteger(GL_POLYGON_MODE),
             framebufferSrgb = glIsEnabled(GL_FRAMEBUFFER_SRGB),
+            writes = writes(),
         )
 
     /** What of the state changes the picture and has no place in a [DrawState]; null for nothing. */
-    fun unusual(
-        width: Int,
-        height: Int,
-    ): String? =
+    fun unusual(): String? =
         SWITCHES.firstNotNullOfOrNull { (switch, name) -> name.takeIf { glIsEnabled(switch) } }
             ?: when {
                 !glIsEnabled(GL_MULTISAMPLE) -> "GL_MULTISAMPLE off"
-                glIsEnabled(GL_SCISSOR_TEST) && !covers(integers(GL_SCISSOR_BOX), width, height) -> "GL_SCISSOR_TEST"
-                hasMaskedColor() -> "glColorMask"
                 glIsEnabled(GL_BLEND) && hasUnusualBlending() -> "glBlendEquation, glBlendFuncSeparate or glBlendColor"
                 else -> null
             }
 
-    /** Whether not all of the colour channels are written. */
-    fun hasMaskedColor(): Boolean =
+    /** What may be written of the framebuffer. */
+    fun writes(): WriteMask =
         MemoryStack.stackPush().use { stack ->
             val mask = stack.malloc(4)
             glGetBooleanv(GL_COLOR_WRITEMASK, mask)
-            (0 until 4).any { mask[it] == 0.toByte() }
+            val channels = (0 until 4).sumOf { if (mask[it] == 0.toByte()) 0 else 1 shl it }
+            WriteMask(if (glIsEnabled(GL_SCISSOR_TEST)) integers(GL_SCISSOR_BOX) else null, channels)
         }
-
-    /** Whether the scissor test cuts something off a window of this size. */
-    fun isCut(
-        width: Int,
-        height: Int,
-    ): Boolean = glIsEnabled(GL_SCISSOR_TEST) && !covers(integers(GL_SCISSOR_BOX), width, height)
-
-    private fun covers(
-        box: List<Int>,
-        width: Int,
-        height: Int,
-    ) = box[0] <= 0 && box[1] <= 0 && box[0].toLong() + box[2] >= width && box[1].toLong() + box[3] >= height
 
     private fun hasUnusualBlending() =
         glGetInteger(GL_BLEND_EQUATION_RGB) != GL_FUNC_ADD || glGetInteger(GL_BLEND_EQUATION_ALPHA) != GL_FUNC_ADD ||

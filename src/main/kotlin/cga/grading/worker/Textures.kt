@@ -7,12 +7,37 @@ import cga.grading.capture.GlNumbers
 import org.lwjgl.opengl.EXTTextureFilterAnisotropic.GL_TEXTURE_MAX_ANISOTROPY_EXT
 import org.lwjgl.opengl.GL33C.*
 
-/** The contents of 2D textures, each read once after it was written to. */
+/** Where a texture is bound. @param sides what its pictures are uploaded to. */
+internal enum class TextureTarget(
+    val bound: Int,
+    val binding: Int,
+    val sides: List<Int>,
+) {
+    FLAT(GL_TEXTURE_2D, GL_TEXTURE_BINDING_2D, listOf(GL_TEXTURE_2D)),
+    CUBE(GL_TEXTURE_CUBE_MAP, GL_TEXTURE_BINDING_CUBE_MAP, List(6) { GL_TEXTURE_CUBE_MAP_POSITIVE_X + it }),
+    ;
+
+    companion object {
+        /** What a sampler of [type] reads, null for what a capture cannot hold. */
+        fun ofSampler(type: Int): TextureTarget? =
+            when (type) {
+                GL_SAMPLER_2D -> FLAT
+                GL_SAMPLER_CUBE -> CUBE
+                else -> null
+            }
+
+        /** What a call about [target] writes to. */
+        fun written(target: Int): TextureTarget = if (target == CUBE.bound || target in CUBE.sides) CUBE else FLAT
+    }
+}
+
+/** The contents of 2D textures and cube maps, each read once after it was written to. */
 internal class Textures(private val tape: Tape) {
     val writes: Writes = Writes()
     private val images = HashMap<Int, Image>()
     private val numbers = HashMap<List<Any>, Int?>()
     private val canBeAnisotropic = glGetString(GL_VERSION) != null && hasExtension("GL_EXT_texture_filter_anisotropic")
+    private var target = TextureTarget.FLAT
 
     private class Image(
         val count: Long,
@@ -22,17 +47,23 @@ internal class Textures(private val tape: Tape) {
         val srgb: Boolean,
     )
 
-    /** The number on the tape of the texture that is bound to the active unit; null when there is none that can be sampled or held. */
+    /**
+     * The number on the tape of the texture [name] that is bound at [target] of the active unit; null when there is none that can be sampled or
+     * held. A sampler object that is bound there decides how it is filtered.
+     */
     fun number(
         name: Int,
+        target: TextureTarget,
         sampler: String,
     ): Int? {
+        this.target = target
         val image = image(name) ?: return null
-        val wrapS = parameter(GL_TEXTURE_WRAP_S)
-        val wrapT = parameter(GL_TEXTURE_WRAP_T)
-        val minFilter = parameter(GL_TEXTURE_MIN_FILTER)
-        val magFilter = parameter(GL_TEXTURE_MAG_FILTER)
-        val key = listOf(name, image.count, wrapS, wrapT, minFilter, magFilter, anisotropy(minFilter))
+        val wrapS = filtering(GL_TEXTURE_WRAP_S)
+        val wrapT = filtering(GL_TEXTURE_WRAP_T)
+        val wrapR = filtering(GL_TEXTURE_WRAP_R)
+        val minFilter = filtering(GL_TEXTURE_MIN_FILTER)
+        val magFilter = filtering(GL_TEXTURE_MAG_FILTER)
+        val key = listOf(name, image.count, wrapS, wrapT, wrapR, minFilter, magFilter, anisotropy(minFilter))
         if (minFilter in GlNumbers.mipmapFilters && !isComplete(image)) {
             tape.event(EventKind.TEXTURE_INCOMPLETE, sampler)
             return null
@@ -42,6 +73,7 @@ internal class Textures(private val tape: Tape) {
             tape.add(
                 CapturedTexture(
                     image.width, image.height, image.levels, wrapS, wrapT, minFilter, magFilter, anisotropy(minFilter), image.srgb,
+                    target == TextureTarget.CUBE, wrapR,
                 ),
             )
         }
@@ -56,7 +88,7 @@ internal class Textures(private val tape: Tape) {
     private fun read(count: Long): Image? {
         val width = level(0, GL_TEXTURE_WIDTH)
         val height = level(0, GL_TEXTURE_HEIGHT)
-        if (width == 0 || height == 0) return null
+        if (!hasLevel(0, width, height)) return null
         if (maxOf(width, height) > CaptureLimits.SIDE) return refuse("a texture of ${width}x$height")
         if (parameter(GL_TEXTURE_BASE_LEVEL) != 0) return refuse("a texture that begins at level ${parameter(GL_TEXTURE_BASE_LEVEL)}")
         val type = level(0, GL_TEXTURE_RED_TYPE)
@@ -65,20 +97,30 @@ internal class Textures(private val tape: Tape) {
         }
         val levels = ArrayList<ByteArray>()
         for (number in 0..minOf(parameter(GL_TEXTURE_MAX_LEVEL), lastLevel(width, height))) {
-            if (level(number, GL_TEXTURE_WIDTH) != maxOf(1, width shr number)) break
-            if (level(number, GL_TEXTURE_HEIGHT) != maxOf(1, height shr number)) break
+            if (!hasLevel(number, maxOf(1, width shr number), maxOf(1, height shr number))) break
             levels += tape.texels(texels(number)) ?: return null
         }
         val srgb = level(0, GL_TEXTURE_INTERNAL_FORMAT) in SRGB
         return Image(count, width, height, levels, srgb)
     }
 
+    /** Whether all sides have a picture of this size. */
+    private fun hasLevel(
+        number: Int,
+        width: Int,
+        height: Int,
+    ) = width > 0 && height > 0 &&
+        target.sides.all { level(number, GL_TEXTURE_WIDTH, it) == width && level(number, GL_TEXTURE_HEIGHT, it) == height }
+
     private fun texels(number: Int): ByteArray {
-        val bytes = ByteArray(4 * level(number, GL_TEXTURE_WIDTH) * level(number, GL_TEXTURE_HEIGHT))
+        val side = 4 * level(number, GL_TEXTURE_WIDTH) * level(number, GL_TEXTURE_HEIGHT)
+        val bytes = ByteArray(side * target.sides.size)
         Packing.plain {
-            Native.bytes(bytes.size) {
-                glGetTexImage(GL_TEXTURE_2D, number, GL_RGBA, GL_UNSIGNED_BYTE, it)
-                it.get(bytes)
+            Native.bytes(side) {
+                target.sides.forEachIndexed { i, at ->
+                    glGetTexImage(at, number, GL_RGBA, GL_UNSIGNED_BYTE, it)
+                    it.get(0, bytes, i * side, side)
+                }
             }
         }
         return bytes
@@ -90,12 +132,20 @@ internal class Textures(private val tape: Tape) {
     /** The anisotropy in force. Software rendering can hang on one without mipmaps, where it means little: it is turned off there. */
     private fun anisotropy(minFilter: Int): Float {
         if (!canBeAnisotropic) return 1f
-        val value = glGetTexParameterf(GL_TEXTURE_2D, GL_TEXTURE_MAX_ANISOTROPY_EXT)
-        if (value > 1f && minFilter !in GlNumbers.mipmapFilters) {
-            glTexParameterf(GL_TEXTURE_2D, GL_TEXTURE_MAX_ANISOTROPY_EXT, 1f)
-            return 1f
+        val sampler = glGetInteger(GL_SAMPLER_BINDING)
+        val isIdle = minFilter !in GlNumbers.mipmapFilters
+        if (sampler != 0) {
+            if (isIdle) glSamplerParameterf(sampler, GL_TEXTURE_MAX_ANISOTROPY_EXT, 1f)
+            return glGetSamplerParameterf(sampler, GL_TEXTURE_MAX_ANISOTROPY_EXT)
         }
-        return value
+        if (isIdle) glTexParameterf(target.bound, GL_TEXTURE_MAX_ANISOTROPY_EXT, 1f)
+        return glGetTexParameterf(target.bound, GL_TEXTURE_MAX_ANISOTROPY_EXT)
+    }
+
+    /** A parameter that a sampler object takes over. */
+    private fun filtering(name: Int): Int {
+        val sampler = glGetInteger(GL_SAMPLER_BINDING)
+        return if (sampler == 0) parameter(name) else glGetSamplerParameteri(sampler, name)
     }
 
     private fun unusual(
@@ -104,7 +154,7 @@ internal class Textures(private val tape: Tape) {
     ): String? =
         when {
             GL_CLAMP_TO_BORDER in listOf(wrapS, wrapT) -> "a border"
-            glGetTexParameterf(GL_TEXTURE_2D, GL_TEXTURE_LOD_BIAS) != 0f -> "a level-of-detail bias"
+            glGetTexParameterf(target.bound, GL_TEXTURE_LOD_BIAS) != 0f -> "a level-of-detail bias"
             parameter(GL_TEXTURE_COMPARE_MODE) != GL_NONE -> "a comparison"
             SWIZZLE.any { (name, value) -> parameter(name) != value } -> "swizzled channels"
             else -> null
@@ -115,12 +165,13 @@ internal class Textures(private val tape: Tape) {
         return null
     }
 
-    private fun parameter(name: Int) = glGetTexParameteri(GL_TEXTURE_2D, name)
+    private fun parameter(name: Int) = glGetTexParameteri(target.bound, name)
 
     private fun level(
         number: Int,
         name: Int,
-    ) = glGetTexLevelParameteri(GL_TEXTURE_2D, number, name)
+        side: Int = target.sides[0],
+    ) = glGetTexLevelParameteri(side, number, name)
 
     private fun lastLevel(
         width: Int,

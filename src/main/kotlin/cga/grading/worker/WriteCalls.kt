@@ -13,8 +13,8 @@ internal class WriteCalls(
             "glBufferData", "glBufferSubData", "glMapBuffer", "glMapBufferRange", "glUnmapBuffer" -> buffer(call.int(0))
             "glCopyBufferSubData" -> buffer(call.int(1))
             "glTexImage2D", "glTexSubImage2D", "glCopyTexImage2D", "glCopyTexSubImage2D", "glTexStorage2D", "glGenerateMipmap" ->
-                textures.note(glGetInteger(GL_TEXTURE_BINDING_2D))
-            "glTexParameteri", "glTexParameteriv" -> if (call.int(1) in LEVELS) textures.note(glGetInteger(GL_TEXTURE_BINDING_2D))
+                texture(call.int(0))
+            "glTexParameteri", "glTexParameteriv" -> if (call.int(1) in LEVELS) texture(call.int(0))
             // The names may come again for other objects.
             "glDeleteBuffers" -> buffers.noteAll()
             "glDeleteTextures" -> textures.noteAll()
@@ -23,6 +23,8 @@ internal class WriteCalls(
 
     /** Something was drawn into a framebuffer of the submission's own, and that may be a texture. */
     fun noteDrawing(): Unit = textures.noteAll()
+
+    private fun texture(target: Int) = textures.note(glGetInteger(TextureTarget.written(target).binding))
 
     private fun buffer(target: Int) {
         val binding = BINDINGS[target]

@@ -150,6 +150,47 @@ internal class Changer : Painter(samples = 0) {
     }
 }
 
+/** Draws a sky from a cube map, with a sampler object, then into a part of the window and into some channels of it. */
+internal class Stargazer : Painter() {
+    private val sky =
+        "#version 330 core\nin vec2 place;\nuniform vec3 color;\nuniform samplerCube stars;\nout vec4 result;\n" +
+            "void main() {\n    result = vec4(color * texture(stars, vec3(place * 4.0, 1.0)).rgb, 1.0);\n}\n"
+
+    override fun start() {
+        super.start()
+        program = link(VERTEX, sky)
+        glActiveTexture(GL_TEXTURE3)
+        glBindTexture(GL_TEXTURE_CUBE_MAP, glGenTextures())
+        for (face in 0 until 6) {
+            val texels = IntArray(4 * 4) { 0xFF000000.toInt() or ((it + 1) * 0x0A0602 + face * 0x23) }
+            glTexImage2D(GL_TEXTURE_CUBE_MAP_POSITIVE_X + face, 0, GL_RGBA, 4, 4, 0, GL_RGBA, GL_UNSIGNED_BYTE, texels)
+        }
+        val sampler = glGenSamplers()
+        for (filter in listOf(GL_TEXTURE_MIN_FILTER, GL_TEXTURE_MAG_FILTER)) glSamplerParameteri(sampler, filter, GL_NEAREST)
+        glBindSampler(3, sampler)
+        glUseProgram(program)
+        glUniform1i(glGetUniformLocation(program, "stars"), 3)
+    }
+
+    override fun paint() {
+        glDepthFunc(GL_LEQUAL)
+        super.paint()
+        glEnable(GL_SCISSOR_TEST)
+        glScissor(10, 20, 300, 200)
+        glClearColor(0.2f, 0.4f, 0.6f, 1f)
+        glClear(GL_COLOR_BUFFER_BIT)
+        glColorMask(true, false, true, true)
+        super.paint()
+        glColorMask(true, true, true, true)
+        glDisable(GL_SCISSOR_TEST)
+    }
+
+    companion object {
+        @JvmStatic
+        fun main(args: Array<String>): Unit = Stargazer().run()
+    }
+}
+
 /** Makes errors and asks for them. */
 internal class Erring : Painter() {
     override fun paint() {

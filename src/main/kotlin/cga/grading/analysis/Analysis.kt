@@ -9,6 +9,7 @@ import cga.grading.replay.Replay
 import cga.grading.scene.SceneJudge
 import cga.grading.scene.SceneProfile
 import cga.grading.study.ShaderStudy
+import cga.grading.study.UnlitDraws
 import cga.grading.substitute.Substitutes
 import java.nio.file.Path
 
@@ -19,17 +20,22 @@ import java.nio.file.Path
  * @param folder where the pictures go; null for none.
  */
 internal class Analysis(
-    private val capture: Capture,
+    private val given: Capture,
     private val edition: String,
     private val folder: Path?,
 ) {
     /** Throws [Threw], [EndedEarly], [NothingDrawn], [NotReproducible] and [cga.grading.replay.ReplayError]. */
     fun findings(): Findings {
         checkRun()
-        return Replay(capture).use { replay ->
+        val unlit = UnlitDraws.of(given)
+        return findings(unlit.capture, unlit.programs)
+    }
+
+    private fun findings(capture: Capture, unlit: Set<Int>): Findings =
+        Replay(capture).use { replay ->
             Reproduction.check(capture, replay)
             val substitutes = Substitutes.of(capture)
-            ShaderStudy.of(substitutes.capture).use { study ->
+            ShaderStudy.of(substitutes.capture, unlit).use { study ->
                 val observed = substitutes.capture.frames.mapNotNull(study::observe)
                 val profile = if (edition == "2022") SceneProfile.LATER else SceneProfile.SHEET
                 val facts = CaptureFacts(capture)
@@ -43,28 +49,27 @@ internal class Analysis(
                 Findings(verdict.checks, verdict.mistakes, study.plots, pictures, study.notes + scene.notes + eventNotes())
             }
         }
-    }
 
     private fun checkRun() {
-        val isEmpty = capture.frames.none { frame -> frame.steps.any { it is CapturedDraw } }
-        val thrown = capture.events.firstOrNull { it.kind == EventKind.EXCEPTION }
+        val isEmpty = given.frames.none { frame -> frame.steps.any { it is CapturedDraw } }
+        val thrown = given.events.firstOrNull { it.kind == EventKind.EXCEPTION }
         if (isEmpty && thrown != null) throw Threw(thrown.text)
-        if (thrown == null && capture.frames.size < Moment.entries.size) {
+        if (thrown == null && given.frames.size < Moment.entries.size) {
             throw EndedEarly(
-                "The program ended by itself after ${capture.frames.size} of ${Moment.entries.size} pictures, without an exception.",
+                "The program ended by itself after ${given.frames.size} of ${Moment.entries.size} pictures, without an exception.",
             )
         }
         if (isEmpty) throw NothingDrawn(whyNothing())
     }
 
     private fun whyNothing(): String {
-        val problem = capture.events.firstOrNull { it.kind in FATAL } ?: return "No draw call was made in ${capture.frames.size} frames."
+        val problem = given.events.firstOrNull { it.kind in FATAL } ?: return "No draw call was made in ${given.frames.size} frames."
         return "Nothing was drawn. ${problem.text}"
     }
 
     /** What went wrong beside the drawing, each thing once. */
     private fun eventNotes(): List<String> =
-        capture.events
+        given.events
             .filter { it.kind !in QUIET }
             .groupBy { it.kind to it.text }
             .map { (what, all) ->

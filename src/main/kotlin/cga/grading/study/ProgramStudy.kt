@@ -177,7 +177,7 @@ internal class ProgramStudy(
             }
 
         /** Points on the surface of the draw and a little off it, in view space. */
-        private fun surface(
+        fun surface(
             box: BlackBox,
             formula: GeometryFormula,
             vertices: DrawVertices,

@@ -49,13 +49,16 @@ public class ShaderStudy private constructor(
     }
 
     public companion object {
-        /** Studies every program that [capture] draws with. What cannot be studied becomes a note. */
-        public fun of(capture: Capture): ShaderStudy {
+        /** Studies every program that [capture] draws with, but for those that are [unlit]. What cannot be studied becomes a note. */
+        public fun of(
+            capture: Capture,
+            unlit: Set<Int> = emptySet(),
+        ): ShaderStudy {
             val rig = ProbeRig()
             val notes = mutableListOf<String>()
             val programs = mutableListOf<ProbeProgram>()
             val studies = LinkedHashMap<Int, ProgramStudy>()
-            val draws = capture.frames.flatMap { it.steps }.filterIsInstance<CapturedDraw>().groupBy { it.program }
+            val draws = capture.frames.flatMap { it.steps }.filterIsInstance<CapturedDraw>().groupBy { it.program }.minus(unlit)
             for ((number, all) in draws) {
                 try {
                     val captured = capture.programs.getOrNull(number) ?: throw InputError("program $number was not captured")

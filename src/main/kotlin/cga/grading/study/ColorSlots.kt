@@ -12,6 +12,7 @@ import kotlin.math.min
  * @param silent vectors without any effect.
  * @param factors those that multiply lights: colours of the material.
  * @param isSumClamped whether it is affine in them only where no light takes away what another brings.
+ * @param suns those of the lights that are the same everywhere ([Suns]).
  */
 internal class ColorSlots(
     val lights: List<ActiveUniform>,
@@ -19,7 +20,14 @@ internal class ColorSlots(
     val factors: List<ActiveUniform>,
     val silent: List<ActiveUniform>,
     val isSumClamped: Boolean = false,
+    val suns: Set<ActiveUniform> = emptySet(),
 ) {
+    /** The lights that have a place. */
+    val lamps: List<ActiveUniform> get() = lights - suns
+
+    /** These with some of the lights found to be [suns]. */
+    fun withSuns(suns: Set<ActiveUniform>): ColorSlots = ColorSlots(lights, flats, factors, silent, isSumClamped, suns)
+
     companion object {
         /** Textures are this dark while looking, so that a colour clamped at 1 by the shader stays below. */
         const val DARK = 1.0 / 64

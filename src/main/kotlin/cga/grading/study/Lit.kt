@@ -30,7 +30,7 @@ internal class Lit(
             colors: ColorSlots,
             search: LightSearch,
         ): Lit {
-            val probes = colors.lights.map { LightProbe(box, it, colors, channel(box, it, search)) }
+            val probes = colors.lamps.map { LightProbe(box, it, colors, channel(box, it, search)) }
             val white = box.program.samplers.associate { it.name to 1.0 }
             val all =
                 probes.asSequence().mapNotNull { probe ->

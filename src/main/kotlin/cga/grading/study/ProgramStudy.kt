@@ -86,9 +86,10 @@ internal class ProgramStudy(
         ): ProgramStudy {
             val (box, formula) = box(rig, program, capture, number, draw)
             val surface = surface(box, formula, DrawVertices(capture, draw))
-            val usual = sight(box, surface)
+            val suns = { seen: BlackBox, colors: ColorSlots -> Suns.among(seen, colors, formula, capture, number) }
+            val usual = sight(box, surface, suns)
             // What a shader adds to normals (the translation of a 4 × 4 matrix) is nothing beside long ones.
-            val long = if (usual.isOdd) sight(box.withNormalLength(LONG), surface) else usual
+            val long = if (usual.isOdd) sight(box.withNormalLength(LONG), surface, suns) else usual
             val sight = if (long.isOdd) usual else long
             val (look, colors, lit) = sight
             val decoded = look.box
@@ -125,10 +126,12 @@ internal class ProgramStudy(
         private fun sight(
             box: BlackBox,
             surface: List<Vector3d>,
+            suns: (BlackBox, ColorSlots) -> Set<ActiveUniform>,
         ): Sight {
             val look = FirstLook.of(box, surface)
             val samples = LightSearch(look.box, surface).samples(LightSearch.FEW_DIRECTIONS)
-            val colors = if (box.program.deep.isEmpty()) look.colors else HiddenLights.added(look.box, look.colors, samples)
+            val all = if (box.program.deep.isEmpty()) look.colors else HiddenLights.added(look.box, look.colors, samples)
+            val colors = all.withSuns(suns(look.box, all))
             return Sight(look, colors, Lit.of(look.box, colors, look.search))
         }
 

@@ -1,5 +1,6 @@
 package cga.grading.compile
 
+import cga.grading.submission.NamedLibrary
 import com.sun.net.httpserver.HttpServer
 import org.junit.jupiter.api.AfterEach
 import org.junit.jupiter.api.Assertions.assertEquals
@@ -62,6 +63,29 @@ class RepositoryTest {
         val before = asked.size
         repository.jars(Artifact("g", "a", "1"))
         assertEquals(before, asked.size)
+    }
+
+    @Test
+    fun `of the libraries that a build file names those come that are not there, LWJGL's in the version of ours`() {
+        serve("g:a:1", needs("g:b:1", "org.joml:joml:1.9.2"))
+        listOf("g:b:1", "org.joml:joml:1.9.2", "org.lwjgl:lwjgl-openal:3.4.3").forEach { serve(it, "") }
+        val named = listOf(
+            NamedLibrary("g", "a", "1"),
+            NamedLibrary("org.lwjgl", "lwjgl-openal", "3.2.3"),
+            NamedLibrary("org.lwjgl", "lwjgl-glfw", null),
+            NamedLibrary("org.jetbrains.kotlin", "kotlin-stdlib-jdk8", "1.4.10"),
+            NamedLibrary("g", "nowhere", "2"),
+            NamedLibrary("../..", "up", "2"),
+        )
+        val ours = listOf("lwjgl-3.4.3.jar", "lwjgl-glfw-3.4.3.jar", "lwjgl-glfw-3.4.3-natives-linux.jar", "joml-1.10.9.jar")
+        val found = FurtherLibraries.of(named, ours.map(Path::of), repository)
+        assertEquals(listOf("a-1.jar", "b-1.jar", "lwjgl-openal-3.4.3.jar"), found.jars.map { it.name })
+        assertEquals(listOf("nowhere", "up"), found.notes.map { it.removePrefix("The library ").substringBefore(' ') })
+        // With native code for this machine where there is some.
+        val machine = if (System.getProperty("os.arch") == "aarch64") "natives-linux-arm64" else "natives-linux"
+        serveNatives("org.lwjgl:lwjgl-openal:3.4.3", machine)
+        val jars = FurtherLibraries.of(named.take(2), ours.map(Path::of), repository).jars.map { it.name }
+        assertEquals("lwjgl-openal-3.4.3-$machine.jar", jars.last())
     }
 
     @Test
@@ -150,6 +174,9 @@ class RepositoryTest {
         put(artifact.path("pom"), "<project><dependencies>$dependencies</dependencies></project>".toByteArray())
         put(artifact.path("jar"), "jar of $name".toByteArray())
     }
+
+    private fun serveNatives(name: String, machine: String) =
+        put(artifact(name).copy(classifier = machine).path("jar"), "natives of $name".toByteArray())
 
     private fun put(path: String, bytes: ByteArray) {
         served[path] = bytes

@@ -39,6 +39,15 @@ class ConeValuesTest {
     }
 
     @Test
+    fun `degrees made radians twice leave a cone of half a degree`() {
+        val (measured, found) = ConeValues.judge(ObservedCone(Vector3d(0.0, 0.0, -1.0), twice(15), twice(25)), "spot")
+        assertEquals(Mistake.UNKNOWN, found?.mistake)
+        assertEquals(1.0, measured.error)
+        // As narrow, and of nobody's degrees.
+        assertEquals(null, mistake(0.0041, 0.0077))
+    }
+
+    @Test
     fun `nothing sent`() {
         assertEquals(Mistake.CONE_NEVER_SENT, mistake(Double.NaN, Double.NaN))
         assertEquals(Mistake.CONE_NEVER_SENT, mistake(0.0, 0.0))
@@ -51,6 +60,8 @@ class ConeValuesTest {
         assertEquals(Mistake.CONE_HARD_EDGE, found?.mistake)
         assertTrue((measured.error ?: 0.0) in 0.1..0.9)
     }
+
+    private fun twice(degrees: Int) = Math.toRadians(radians(degrees))
 
     private fun seen(degrees: Int) = acos(cos(degrees.toDouble()))
 

@@ -3,6 +3,7 @@ package cga.grading.scene
 import cga.exercise.components.geometry.Transformable
 import cga.grading.capture.CapturedEvent
 import cga.grading.capture.EventKind
+import cga.grading.capture.Key
 import cga.grading.capture.Moment
 import cga.grading.findings.Check
 import cga.grading.findings.Mistake
@@ -31,6 +32,28 @@ class LightMistakesTest {
         }
         assertNotNull(verdict(5f)[Mistake.LIGHT_MISSING])
         assertNotNull(verdict(1f)[Mistake.LIGHT_NOT_CHILD])
+    }
+
+    @Test
+    fun `the motorcycle's light hangs on another vehicle, which has one of its own at the same place`() {
+        val other = Transformable().apply { translateLocal(Vector3f(3f, 0f, 0f)) }
+        val rig = object : Rig() {
+            private val above = Transformable(parent = other).apply { translateLocal(Vector3f(0f, 1.6f, 0f)) }
+            private val astray = Lamp("bike_lamp", above, POINT_K) { ownColor(it) }
+            private val theirs = Lamp("other_lamp", above, POINT_K) { Vector3d(2.0, 0.0, 0.0) }
+            override val lamps = listOf(astray, head, theirs) + corners
+
+            override fun update(
+                dt: Double,
+                t: Double,
+                keys: Set<Key>,
+            ) {
+                super.update(dt, t, keys)
+                other.translateLocal(Vector3f((dt * (1 + t)).toFloat(), 0f, (-2 * dt).toFloat()))
+            }
+        }
+        val mistakes = rig.verdict().mistakes.map { it.mistake }
+        assertTrue(Mistake.LIGHT_NOT_CHILD in mistakes && Mistake.LIGHT_POSITION_OVERWRITTEN !in mistakes, "$mistakes")
     }
 
     @Test

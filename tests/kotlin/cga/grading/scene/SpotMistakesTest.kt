@@ -8,6 +8,7 @@ import org.joml.Matrix4d
 import org.joml.Vector3d
 import org.joml.Vector3f
 import org.junit.jupiter.api.Assertions.assertEquals
+import org.junit.jupiter.api.Assertions.assertTrue
 import org.junit.jupiter.api.Test
 
 /** What can be wrong with the headlight and with how lights fade. */
@@ -63,6 +64,18 @@ class SpotMistakesTest {
             override fun direction(lamp: Lamp, view: Matrix4d) = Vector3d(Double.NaN)
         }
         rig.verdict().assertMistake(Mistake.CONE_NEVER_SENT)
+    }
+
+    @Test
+    fun `a headlight turned by degrees taken for radians points anywhere, and the report says by how many`() {
+        val rig = Rig().apply { head.body.rotateLocal(Rig.radians(8.0) - 10f, 0f, 0f) }
+        val verdict = rig.verdict()
+        verdict.assertMistake(Mistake.UNKNOWN, Check.SPOT_DIRECTION)
+        val text = verdict.checks.single { it.check == Check.SPOT_DIRECTION }.text
+        assertTrue("backwards and up, as if turned by -10 radians instead of degrees" in text, text)
+        // Turned round by any other angle it points the wrong way, and that is all there is to say.
+        val other = Rig().apply { head.body.rotateLocal(2.3f, 0f, 0f) }
+        other.verdict().assertMistake(Mistake.SPOT_DIRECTION_SIGN)
     }
 
     @Test

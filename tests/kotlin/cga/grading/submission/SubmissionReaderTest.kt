@@ -99,6 +99,35 @@ class SubmissionReaderTest {
     }
 
     @Test
+    fun `libraries are read from every kind of build file, those for tests are not`() {
+        val gson = NamedLibrary("com.google.code.gson", "gson", "2.8.6")
+        val openal = NamedLibrary("org.lwjgl", "lwjgl-openal", null)
+        val script = """
+            val gsonVersion = "2.8.6"
+            dependencies {
+                implementation(platform("org.lwjgl:lwjgl-bom:3.2.3"))
+                // implementation("org.example:comment:1.0")
+                testImplementation("junit:junit:4.13")
+                for (module in listOf("lwjgl-openal")) implementation("org.lwjgl", module)
+            """
+        val texts = mapOf(
+            "build.gradle.kts" to script + "    implementation(\"com.google.code.gson:gson:\$gsonVersion\")\n}",
+            "build.gradle" to "api group: 'com.google.code.gson', name: 'gson', version: '2.8.6'\nimplementation \"org.lwjgl:lwjgl-openal\"",
+            "a/build.gradle" to script + "    implementation(\"com.google.code.gson\", \"gson\", gsonVersion)\n}",
+            "libs.versions.toml" to
+                "[versions]\ngson = \"2.8.6\"\n[libraries]\ngson = { module = \"com.google.code.gson:gson\", version.ref = \"gson\" }\n" +
+                "openal = { module = \"org.lwjgl:lwjgl-openal\" }",
+            "pom.xml" to
+                "<dependency><groupId>com.google.code.gson</groupId><artifactId>gson</artifactId><version>2.8.6</version></dependency>" +
+                "<dependency><groupId>org.lwjgl</groupId><artifactId>lwjgl-openal</artifactId></dependency>",
+        )
+        for ((name, text) in texts) {
+            val found = NamedLibrary.find(Versions.withoutComments(mapOf(Path.of(name) to text)).values)
+            assertEquals(setOf(gson, openal), found.toSet(), name)
+        }
+    }
+
+    @Test
     fun `the later edition is detected, and either can be asked for`() {
         val methods = "fun preTranslate(a: Float) { }\n fun rotate(a: Float) { }"
         val later = "package cga.exercise.components.geometry\nopen class Transformable { $methods }\n"

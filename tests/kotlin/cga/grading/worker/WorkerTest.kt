@@ -110,6 +110,13 @@ class WorkerTest {
     }
 
     @Test
+    fun `where there is no sound card, music is played to nobody`() {
+        val run = WorkerProcess.ofStudent("Musician")
+        assertEquals(listOf("true 100 true", "false"), run.out.trim().lines())
+        assertReplays(run)
+    }
+
+    @Test
     fun `errors are noted with their function, and the student's own glGetError still sees the first`() {
         val run = WorkerProcess.ofStudent("Erring")
         assertEquals("1280 then 0", run.out.trim())

@@ -1,14 +1,15 @@
 package cga.grading.compile
 
-/** A library by its Maven coordinates. */
+/** A library by its Maven coordinates. @param classifier of a file beside the library itself, such as `natives-linux`. */
 public data class Artifact(
     public val group: String,
     public val name: String,
     public val version: String,
+    public val classifier: String? = null,
 ) {
     init {
         // They become paths and addresses, and the version comes from a student's build file.
-        require(listOf(group, name, version).all { PART.matches(it) }) { "not the coordinates of a library: $group:$name:$version" }
+        require(listOfNotNull(group, name, version, classifier).all { PART.matches(it) }) { "not the coordinates of a library: $group:$name:$version" }
     }
 
     /** The folder of all versions in a repository. */
@@ -17,7 +18,7 @@ public data class Artifact(
     /** The path of its file of type [extension] in a repository. */
     internal fun path(extension: String): String = "$folder/$version/${fileName(extension)}"
 
-    internal fun fileName(extension: String): String = "$name-$version.$extension"
+    internal fun fileName(extension: String): String = "$name-$version${classifier?.let { "-$it" }.orEmpty()}.$extension"
 
     override fun toString(): String = "$group:$name:$version"
 

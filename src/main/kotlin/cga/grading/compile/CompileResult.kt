@@ -6,7 +6,8 @@ import java.nio.file.Path
  * What became of a submission's sources.
  *
  * @param classes the folder with the compiled classes, null when they do not compile.
- * @param runtime the libraries that the classes must be run with, besides those that were given: the Kotlin standard library.
+ * @param runtime the libraries that the classes must be run with, besides those that were given: the Kotlin standard library, and those of
+ * the build file's that it needs.
  * @param compiler which compiler at which level, for the report.
  * @param errors what is wrong, in the compiler's order; empty when it compiles.
  * @param notes what else the report should say, in full sentences.

@@ -1,5 +1,6 @@
 package cga.grading.compile
 
+import cga.grading.submission.NamedLibrary
 import java.nio.file.Path
 import java.util.concurrent.ConcurrentHashMap
 import kotlin.io.path.exists
@@ -40,6 +41,9 @@ public class CompilerCache(
         if (!plain.exists()) PlainJar.write(library, plain)
         return plain
     }
+
+    /** Those of [named] that are not among [ours], the libraries that every submission gets. */
+    internal fun further(named: List<NamedLibrary>, ours: List<Path>): FurtherLibraries = FurtherLibraries.of(named, ours, repository)
 
     private fun compiler(version: String, level: String?): KotlinCompiler =
         compilers.computeIfAbsent(version) {

@@ -49,10 +49,21 @@ public class Repository(
         var level = listOf(Dependency(artifact, isAlone = false))
         // The version nearest to the root wins, as in Maven.
         while (level.isNotEmpty()) {
+            if (chosen.size > MOST) throw LibraryUnavailable("$artifact needs more than $MOST others.")
             val fresh = level.filter { chosen.putIfAbsent(it.artifact.group to it.artifact.name, it.artifact) == null }
             level = fresh.filterNot { it.isAlone }.flatMap { Pom.dependencies(file(it.artifact, "pom").readText(), it.artifact) }
         }
         return chosen.values.map(::jar)
+    }
+
+    /** What [artifact] has of native code for this machine; null where it has none. Throws [LibraryUnavailable]. */
+    public fun natives(artifact: Artifact): Path? {
+        val machine = if (System.getProperty("os.arch") == "aarch64") "natives-linux-arm64" else "natives-linux"
+        return try {
+            jar(artifact.copy(classifier = machine))
+        } catch (e: LibraryUnavailable) {
+            if (e.isUnknown) null else throw e
+        }
     }
 
     /** All released versions of [name], as the repository lists them; none when offline. */
@@ -104,9 +115,11 @@ public class Repository(
         val address =
             base?.resolve(path) ?: throw LibraryUnavailable("${path.substringAfterLast('/')} is not on this machine, and it is offline.")
         try {
-            val answer = client.send(HttpRequest.newBuilder(address).timeout(PATIENCE).build(), BodyHandlers.ofByteArray())
+            val answer = client.send(HttpRequest.newBuilder(address).timeout(PATIENCE).build(), BodyHandlers.ofInputStream())
             when (answer.statusCode()) {
-                OK -> return answer.body()
+                OK -> return answer.body().use { it.readNBytes(LARGEST + 1) }.also {
+                    if (it.size > LARGEST) throw LibraryUnavailable("${path.substringAfterLast('/')} is larger than any library of use.")
+                }
                 NOT_FOUND -> throw LibraryUnavailable("there is no ${path.substringAfterLast('/')} in the repository.", isUnknown = true)
                 else -> throw LibraryUnavailable("${path.substringAfterLast('/')}: the repository answers ${answer.statusCode()}.")
             }
@@ -119,6 +132,10 @@ public class Repository(
     public companion object {
         private const val CENTRAL = "https://repo.maven.apache.org/maven2/"
         private const val OK = 200
+
+        /** Bytes: what is fetched may be of a submission's choice. The Kotlin compiler has 60 million. */
+        private const val LARGEST = 200_000_000
+        private const val MOST = 100
         private const val NOT_FOUND = 404
         private val PATIENCE: Duration = Duration.ofSeconds(120)
         private val RELEASE = Regex("""\d+(?:\.\d+)+""")

@@ -32,49 +32,67 @@ public class SubmissionCompiler(
      */
     public fun compile(submission: Submission, scratch: Path, replacements: Map<String, String> = emptyMap()): CompileResult {
         val stage = Stage(scratch.toRealPath().resolve("sources"), submission.sources, replacements)
-        val first = attempt(compilers.newest(), stage, scratch.toRealPath())
+        val plain = attempt(compilers.newest(), stage, scratch.toRealPath())
+        if (plain.classes != null) return plain
+        // Most of what build files name nobody uses: it is fetched where something is missing.
+        val further = compilers.further(submission.libraries, libraries)
+        val first =
+            if (further.jars.isEmpty()) plain else attempt(compilers.newest(), stage, scratch.toRealPath(), further.jars)
         if (first.classes != null) return first
+        return older(submission, stage, scratch, first.noting(further.notes), further)
+    }
+
+    /** What the compiler that the build file names says where the newest said [first]. */
+    private fun older(
+        submission: Submission,
+        stage: Stage,
+        scratch: Path,
+        first: CompileResult,
+        further: FurtherLibraries,
+    ): CompileResult {
         val older = try {
             compilers.named(submission.versions.kotlin)
         } catch (e: LibraryUnavailable) {
-            return first.noting("No other compiler could be tried: ${e.message}")
+            return first.noting(listOf("No other compiler could be tried: ${e.message}"))
         } catch (e: IllegalArgumentException) {
-            return first.noting("No other compiler could be tried: ${e.message}")
+            return first.noting(listOf("No other compiler could be tried: ${e.message}"))
         }
         if (older.version == CompilerCache.NEWEST) return first
-        val second = attempt(older, stage, scratch.toRealPath())
+        val second = attempt(older, stage, scratch.toRealPath(), further.jars)
         val failed = "It does not compile with ${first.compiler}"
         return if (second.classes != null) {
-            second.noting("$failed, but with ${second.compiler}.")
+            second.noting(further.notes + "$failed, but with ${second.compiler}.")
         } else {
             // The compiler that the student had says what the student saw.
-            second.noting("$failed either (${first.errors.size} errors).")
+            second.noting(further.notes + "$failed either (${first.errors.size} errors).")
         }
     }
 
-    private fun attempt(compiler: KotlinCompiler, stage: Stage, scratch: Path): CompileResult {
+    /** @param further libraries besides those of every submission. */
+    private fun attempt(compiler: KotlinCompiler, stage: Stage, scratch: Path, further: List<Path> = emptyList()): CompileResult {
         val classes = scratch.resolve("classes")
         if (classes.exists()) Scratch.delete(classes)
         classes.createDirectories()
-        val readable = libraries.map { compilers.readable(it, compiler) }
+        val readable = (libraries + further).map { compilers.readable(it, compiler) }
         var outcome = run(compiler.command(listOf(stage.kotlin, stage.java), readable, classes), compiler.readable + readable, scratch)
         if (outcome.isSuccess &&
             stage.javaFiles.isNotEmpty()
         ) {
-            outcome = run(javac(compiler, stage, classes), compiler.readable + libraries, scratch)
+            outcome = run(javac(compiler, stage, classes, further), compiler.readable + libraries + further, scratch)
         }
         val errors = CompilerOutput.errors(outcome, stage)
-        return CompileResult(classes.takeIf { errors.isEmpty() }, listOf(compilers.newest().stdlib), compiler.title, errors, stage.notes)
+        val runtime = listOf(compilers.newest().stdlib) + further
+        return CompileResult(classes.takeIf { errors.isEmpty() }, runtime, compiler.title, errors, stage.notes)
     }
 
     private fun run(command: List<String>, readOnly: List<Path>, scratch: Path): Outcome =
         sandbox.run(Job(command, scratch, readOnly, limits = limits))
 
-    private fun javac(compiler: KotlinCompiler, stage: Stage, classes: Path): List<String> {
-        val classPath = (listOf(classes, compiler.stdlib) + libraries).joinToString(":")
+    private fun javac(compiler: KotlinCompiler, stage: Stage, classes: Path, further: List<Path>): List<String> {
+        val classPath = (listOf(classes, compiler.stdlib) + libraries + further).joinToString(":")
         return listOf("${Path.of(System.getProperty("java.home"), "bin", "javac")}", "-J-XX:TieredStopAtLevel=1", "-J-XX:+UseSerialGC") +
             listOf("-proc:none", "-nowarn", "-encoding", "UTF-8", "-d", "$classes", "-cp", classPath) + stage.javaFiles.map { "$it" }
     }
 
-    private fun CompileResult.noting(note: String) = CompileResult(classes, runtime, compiler, errors, notes + note)
+    private fun CompileResult.noting(more: List<String>) = CompileResult(classes, runtime, compiler, errors, notes + more)
 }

@@ -22,10 +22,10 @@ internal class CaptureStep(
     /** The capture file, which nobody has looked into yet, of [submission] started in [start]. Throws [Stopped] where there is none. */
     fun capture(submission: Submission, start: Path, main: String, compiled: Compiled, scratch: Path, run: Run): Path {
         val file = scratch.resolve(NAME)
-        val command = WorkerFiles.command(WorkerRun(listOf(compiled.classes), programs.worker, main, file, programs.workerArchive.options))
+        val command = WorkerFiles.command(WorkerRun(listOf(compiled.classes) + compiled.runtime, programs.worker, main, file, programs.workerArchive.options))
         val readOnly = programs.readable + compiled.runtime + listOf(compiled.classes, submission.root, start)
         val outcome =
-            sandbox.run(Job(command, scratch, readOnly, JavaCommand.MESA, workingDirectory = start, limits = limits))
+            sandbox.run(Job(command, scratch, readOnly, JavaCommand.MESA + NO_SOUND, workingDirectory = start, limits = limits))
         run.note("the program's output", outcome)
         // Any code may be the submission's own: that there is no OpenGL is believed to a program of ours only.
         if (outcome.end == End.Exited(NO_OPENGL) && !hasOpenGl(scratch)) {
@@ -47,5 +47,8 @@ internal class CaptureStep(
         const val NO_OPENGL = 3
         const val TRIAL = "cga.grading.worker.Trial"
         const val MOST_SAID = 1000
+
+        /** OpenAL without a device, for games that would end without one. */
+        val NO_SOUND = mapOf("ALSOFT_DRIVERS" to "null")
     }
 }

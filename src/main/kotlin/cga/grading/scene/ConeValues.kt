@@ -23,6 +23,10 @@ public object ConeValues {
         val inner = cone.innerAngle
         val outer = cone.outerAngle
         val text = "Full light up to ${degrees(inner)}, darkness from ${degrees(outer)}"
+        if (isOfTwice(inner) && isOfTwice(outer)) {
+            return Measured(Check.CONE, 1.0, "$text: too narrow to light anything, as if made radians twice; wanted: some degrees.") to
+                Found(Mistake.UNKNOWN, 0.0, 1.0, name)
+        }
         val mistake = mistake(inner, outer) ?: return Measured(Check.CONE, 0.0, "$text.") to null
         // A hard edge is a cone all the same.
         val error = if (mistake == Mistake.CONE_HARD_EDGE) HARD_EDGE else 1.0
@@ -60,6 +64,10 @@ public object ConeValues {
     /** Whether [angle] has the cosine of a whole number of degrees that was taken for radians. */
     private fun isOfDegrees(angle: Double) = (1..MOST_DEGREES).any { abs(cos(it.toDouble()) - cos(angle)) <= CLOSE }
 
+    /** Whether [angle] is a whole number of degrees that was made radians twice. */
+    private fun isOfTwice(angle: Double) =
+        angle > 0 && Math.toDegrees(angle).let { it < MOST_DEGREES * PI / STRAIGHT && isWhole(Math.toDegrees(it)) }
+
     private fun degrees(angle: Double) = if (angle.isNaN()) "none" else "${Math.toDegrees(angle).text()}°"
 
     /** Radians: what an angle is found to by watching where light ends. */
@@ -71,6 +79,7 @@ public object ConeValues {
     /** Degrees. */
     private const val WHOLE = 0.03
     private const val MOST_DEGREES = 90
+    private const val STRAIGHT = 180.0
     private const val WIDE = PI / 4
     private const val RIGHT_ANGLE = PI / 2 + SAME
     private const val HARD_EDGE = 0.5

@@ -7,6 +7,10 @@ import org.joml.Matrix3d
 import org.joml.Matrix3dc
 import org.joml.Vector3d
 import org.joml.Vector3dc
+import java.lang.Math.IEEEremainder
+import kotlin.math.PI
+import kotlin.math.abs
+import kotlin.math.atan2
 
 /** A hypothesis about the headlight's direction: [matrix] times something constant. */
 internal enum class Aim(
@@ -110,13 +114,25 @@ internal class DirectionJudge(
                 world.y > LEVEL -> "up"
                 else -> null
             }
-        if (fault != null) {
+        val turn = if (fault == null) null else radians(child.direction)
+        if (fault != null && turn != null) {
+            val why = "as if turned by $turn radians instead of degrees"
+            book.measured(Check.SPOT_DIRECTION, 1.0, "$what: it points $fault, $why; wanted: forwards and down.")
+            book.found(Mistake.UNKNOWN, child.residual, 1.0, spot.name)
+        } else if (fault != null) {
             book.measured(Check.SPOT_DIRECTION, 1.0, "$what: it points $fault; wanted: forwards and down.")
             book.found(Mistake.SPOT_DIRECTION_SIGN, child.residual, 1.0, "${spot.name} points $fault")
         } else {
             book.measured(Check.SPOT_DIRECTION, child.residual, "$what and turns with the motorcycle.")
             if (world.y > -LEVEL) book.note("The headlight ${spot.name} is level; the sheet wants it tilted down a little.")
         }
+    }
+
+    /** The usual number of degrees that as radians turns forwards into [local], a direction in the motorcycle's space; null where none does. */
+    private fun radians(local: Vector3dc): Int? {
+        if (abs(local.x()) > LEVEL * local.length()) return null
+        val pitches = listOf(atan2(local.y(), -local.z()), atan2(local.y(), local.z()))
+        return TILTS.flatMap { listOf(-it, it) }.find { turn -> pitches.any { abs(IEEEremainder(it - turn, 2 * PI)) < TURNED } }
     }
 
     /** Where the motorcycle goes, and where the camera looks: forwards by either is forwards. Unit vectors in the world. */
@@ -147,6 +163,10 @@ internal class DirectionJudge(
         const val LEVEL = 1e-3
         const val TELLS = 0.1
         const val NONE = 1e-6
+
+        /** Degrees; one of them is met by chance by one direction in five hundred. */
+        val TILTS = (1..20) + listOf(25, 30, 35, 40, 45, 60, 90)
+        const val TURNED = 1e-4
 
         /** Cosine. */
         const val BEHIND = 0.02

@@ -95,6 +95,10 @@ internal class PositionJudge(
         for (i in lights.indices) {
             val same = lights.drop(i + 1).filter { together(lights[i], it) && isOneNumber(lights[i], it) && !isTwin(lights[i], it) }
             if (same.isEmpty()) continue
+            if (same.all { onOther(lights[i], it) }) {
+                notChild(lights[i], same.first())
+                continue
+            }
             val names = (same + lights[i]).joinToString(" and ") { it.name }
             book.spoilt(Check.POINT_LIGHT_POSITION, 1.0, "$names are at the same place in every frame; wanted: each at its own.")
             book.found(Mistake.LIGHT_POSITION_OVERWRITTEN, 0.0, 1.0, names)
@@ -108,9 +112,31 @@ internal class PositionJudge(
         a: LightTrack,
         b: LightTrack,
     ): Boolean {
-        val sent = listOf(a, b).map { it.last.placedBy }
-        if (sent.any { it == null || it in overwritten } || sent[0] == sent[1]) return true
+        if (!isSentApart(a, b)) return true
         return !isChosen(a, b) && listOf(a, b).any { !it.isUnmoved() }
+    }
+
+    private fun isSentApart(
+        a: LightTrack,
+        b: LightTrack,
+    ): Boolean {
+        val sent = listOf(a, b).map { it.last.placedBy }
+        return sent.none { it == null || it in overwritten } && sent[0] != sent[1]
+    }
+
+    /** Whether [light], one of the motorcycle's, hangs on what carries [other] about, each sent by itself. */
+    private fun onOther(
+        light: LightTrack,
+        other: LightTrack,
+    ) = light.isRider() && other in roles.further && light.placed.place == null && isSentApart(light, other)
+
+    private fun notChild(
+        light: LightTrack,
+        other: LightTrack,
+    ) {
+        val mistake = if (light.isSpot) Mistake.SPOT_NOT_CHILD else Mistake.LIGHT_NOT_CHILD
+        book.measured(mistake.check, 1.0, "${light.name}: hangs on what carries ${other.name}; wanted: moves with the motorcycle.")
+        book.found(mistake, 0.0, 1.0, light.name, explains = setOf(Check.POINT_LIGHT_POSITION))
     }
 
     /** Whether two further lights are one and the same: then one was sent for the other, and nothing of it overwritten. */

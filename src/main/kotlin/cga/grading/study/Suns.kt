@@ -27,11 +27,12 @@ internal object Suns {
         // Where all are alike it is their distance that is wrong.
         if (alike.isEmpty() || alike.size == colors.lights.size) return emptySet()
         val (one, other) = turned(box, formula, capture, number) ?: return emptySet()
-        return alike.filter { slot ->
-            val here = one.direction(slot, colors)
-            val there = other.direction(slot, colors)
-            here != null && there != null && here.distance(there) < STAYS
-        }.toSet()
+        return alike
+            .filter { slot ->
+                val here = one.direction(slot, colors)
+                val there = other.direction(slot, colors)
+                here != null && there != null && here.distance(there) < STAYS
+            }.toSet()
     }
 
     /** The textures with which the light is the same from wherever it is seen; null where that is so with none, or only from some distances. */
@@ -40,7 +41,8 @@ internal object Suns {
         val white = samplers.associateWith { 1.0 }
         if (!isAlike(probe.gradients(RAY, white))) return null
         if (samplers.isEmpty()) return white.takeIf { isAlike(probe.gradients(RAY + BESIDE, white)) }
-        return samplers.map { only -> samplers.associateWith { if (it == only) 1.0 else 0.0 } }
+        return samplers
+            .map { only -> samplers.associateWith { if (it == only) 1.0 else 0.0 } }
             .firstOrNull { isAlike(probe.gradients(RAY + BESIDE, it)) }
     }
 

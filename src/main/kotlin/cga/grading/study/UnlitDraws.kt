@@ -60,8 +60,12 @@ internal class UnlitDraws private constructor(
 
         /** Uniforms that are on for some [draws] of a picture and off for others, or have different whole numbers. */
         private fun switches(draws: List<CapturedDraw>): Set<String> =
-            draws.flatMap { it.uniforms }.filter(::canSwitch).groupBy { it.name }
-                .filterValues { all -> all.any { !it.numbers.contentEquals(all[0].numbers) } }.keys
+            draws
+                .flatMap { it.uniforms }
+                .filter(::canSwitch)
+                .groupBy { it.name }
+                .filterValues { all -> all.any { !it.numbers.contentEquals(all[0].numbers) } }
+                .keys
 
         private fun canSwitch(uniform: UniformValue) =
             uniform.type in WHOLE || (uniform.type == GL_FLOAT && uniform.numbers[0].let { it == 0f || it == 1f })

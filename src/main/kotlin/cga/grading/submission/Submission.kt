@@ -22,6 +22,7 @@ public enum class Kind {
  * @param mainClass the class to start, null where none was found.
  * @param versions the libraries' versions that its build files name.
  * @param notes what was noticed and may matter, in full sentences.
+ * @param libraries that its build files name, whether it needs them or not.
  */
 public class Submission(
     public val name: String,
@@ -33,10 +34,11 @@ public class Submission(
     public val versions: Versions,
     public val edition: DetectedEdition,
     public val notes: List<String>,
+    public val libraries: List<NamedLibrary> = emptyList(),
 ) {
     /** The same with other [sources]. */
     internal fun with(sources: List<SourceFile>): Submission =
-        Submission(name, root, kind, sources, workingDirectory, mainClass, versions, edition, notes)
+        Submission(name, root, kind, sources, workingDirectory, mainClass, versions, edition, notes, libraries)
 }
 
 /** Nothing that can be graded; the message says why. */

@@ -53,6 +53,7 @@ public object SubmissionReader {
         notes += finder.notes
         val project = sources.first { it.packageName.startsWith("cga.") }.project
         val detected = edition?.let { DetectedEdition(it, listOf("asked for")) } ?: Edition.detect(sources)
+        val buildFiles = buildFiles(tree, project)
         return Submission(
             name = name,
             root = tree.root,
@@ -60,9 +61,10 @@ public object SubmissionReader {
             sources = sources,
             workingDirectory = AssetsFinder.find(tree, project) ?: project.also { notes += "There is no folder assets." },
             mainClass = mainClass(sources, notes),
-            versions = Versions.find(buildFiles(tree, project)),
+            versions = Versions.find(buildFiles),
             edition = detected,
             notes = notes,
+            libraries = NamedLibrary.find(Versions.withoutComments(buildFiles).values),
         )
     }
 

@@ -30,20 +30,18 @@ public class Versions(
 
         /** What [texts] (build files by path, the most telling first) say. No build script is run: this is only reading. */
         fun find(texts: Map<Path, String>): Versions {
-            val plain = texts.mapValues { (path, text) ->
-                if (path.name.endsWith("gradle") ||
-                    path.name.endsWith("kts")
-                ) {
-                    text.replace(COMMENT, "")
-                } else {
-                    text
-                }
-            }
+            val plain = withoutComments(texts)
 
             fun first(patterns: List<Regex>) =
                 plain.values.firstNotNullOfOrNull { text -> patterns.firstNotNullOfOrNull { it.find(text)?.groupValues?.get(1) } }
             return Versions(first(KOTLIN), first(LWJGL), first(JOML))
         }
+
+        /** [texts] without lines that are comments of a script. */
+        fun withoutComments(texts: Map<Path, String>): Map<Path, String> =
+            texts.mapValues { (path, text) ->
+                if (path.name.endsWith("gradle") || path.name.endsWith("kts")) text.replace(COMMENT, "") else text
+            }
 
         private fun library(name: String, artifact: String) = patterns(
             """\b$name[._-]?[vV]ersion["']?\s*[=,>]\s*["']?$NUMBER""",

@@ -8,6 +8,12 @@ import org.lwjgl.glfw.GLFW.glfwGetTime
 import org.lwjgl.glfw.GLFW.glfwSetCursorPosCallback
 import org.lwjgl.glfw.GLFW.glfwSetKeyCallback
 import org.lwjgl.opengl.GL33C.*
+import javax.sound.sampled.AudioFormat
+import javax.sound.sampled.AudioSystem
+import javax.sound.sampled.Clip
+import javax.sound.sampled.DataLine
+import javax.sound.sampled.FloatControl
+import javax.sound.sampled.SourceDataLine
 import kotlin.math.roundToInt
 import kotlin.system.exitProcess
 
@@ -188,6 +194,29 @@ internal class Stargazer : Painter() {
     companion object {
         @JvmStatic
         fun main(args: Array<String>): Unit = Stargazer().run()
+    }
+}
+
+/** Plays music before it draws. */
+internal class Musician : Painter() {
+    override fun start() {
+        super.start()
+        val format = AudioFormat(44_100f, 16, 2, true, false)
+        val clip = AudioSystem.getClip()
+        clip.open(format, ByteArray(400), 0, 400)
+        (clip.getControl(FloatControl.Type.MASTER_GAIN) as FloatControl).value = -10f
+        clip.loop(Clip.LOOP_CONTINUOUSLY)
+        val line = AudioSystem.getLine(DataLine.Info(SourceDataLine::class.java, format)) as SourceDataLine
+        line.open(format)
+        line.start()
+        say("${clip.isOpen} ${line.write(ByteArray(100), 0, 100)} ${line.format == format}")
+        clip.close()
+        say(clip.isOpen)
+    }
+
+    companion object {
+        @JvmStatic
+        fun main(args: Array<String>): Unit = Musician().run()
     }
 }
 

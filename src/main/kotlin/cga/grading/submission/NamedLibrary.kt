@@ -1,0 +1,52 @@
+package cga.grading.submission
+
+/**
+ * A library that a build file names for the program itself, not for its tests.
+ *
+ * @param version null where it is left to something else, such as LWJGL's own list of versions.
+ */
+public data class NamedLibrary(
+    public val group: String,
+    public val name: String,
+    public val version: String?,
+) {
+    /** Reading them. */
+    internal companion object {
+        /** More than that no game needs. */
+        private const val MOST = 40
+        private const val WORD = """["']([\w.-]+)["']"""
+        private const val USE = """\b(?:implementation|api|compile|runtimeOnly)\b\s*\(?\s*"""
+
+        /** Each with the group, the name and, where there is one, the version. */
+        private val SHAPES = listOf(
+            USE + """["']([\w.-]+):([\w.-]+):?([^"':@]*)""",
+            """$USE$WORD\s*,\s*$WORD(?:\s*,\s*["']?([^"'),\s]+))?""",
+            USE + """group\s*[:=]\s*$WORD\s*,\s*name\s*[:=]\s*$WORD(?:\s*,\s*version\s*[:=]\s*["']([^"']+))?""",
+            """\bmodule\s*=\s*["']([\w.-]+):([\w.-]+)["'](?:\s*,\s*version(?:\.ref)?\s*=\s*["']([^"']+))?""",
+            """<groupId>([^<]+)</groupId>\s*<artifactId>([^<]+)</artifactId>(?:\s*<version>([^<]+))?""",
+        ).map { Regex(it) }
+
+        /** A module of LWJGL, which stands in lists of such names. */
+        private val MODULE = Regex("""["'](lwjgl-(?!bom)[a-z0-9]+)["']""")
+        private const val LWJGL = "org.lwjgl"
+
+        /** What [texts] (build files by path, without comments) name. No build script is run: this is only reading. */
+        fun find(texts: Collection<String>): List<NamedLibrary> =
+            (texts.flatMap { text -> SHAPES.flatMap { it.findAll(text) } }
+                .map { match ->
+                    val (group, name, version) = match.destructured
+                    NamedLibrary(group, name, version(version.trim(), texts))
+                } + texts.flatMap { MODULE.findAll(it) }.map { NamedLibrary(LWJGL, it.groupValues[1], null) })
+                .distinctBy { it.group to it.name }
+                .take(MOST)
+
+        /** The number that [said] is, or that the variable of that name has. */
+        private fun version(said: String, texts: Collection<String>): String? {
+            val name = said.trim('$', '{', '}').ifEmpty { return null }
+            if (name[0].isDigit()) return name
+            val last = Regex.escape(name.substringAfterLast('.'))
+            val value = Regex("""\b$last["']?\s*(?:=|>|,|\bby extra\()\s*["']?(\d[\w.+-]*)""")
+            return texts.firstNotNullOfOrNull { value.find(it)?.groupValues?.get(1) }
+        }
+    }
+}

@@ -1,0 +1,26 @@
+package cga.exercise.components.geometry
+
+import cga.exercise.components.shader.ShaderProgram
+import cga.exercise.components.texture.Texture2D
+import org.joml.Vector2f
+
+class Material(var diff: Texture2D,
+               var emit: Texture2D,
+               var specular: Texture2D,
+               var shininess: Float = 50.0f,
+               var tcMultiplier: Vector2f = Vector2f(1.0f)) {
+
+    fun bind(shaderProgram: ShaderProgram) {
+        // Emission
+        emit.bind(0)
+        shaderProgram.setUniform("materialEmit", 0)
+        // Diffuse
+        diff.bind(1)
+        shaderProgram.setUniform("materialDiff", 1)
+        // Specular
+        specular.bind(2)
+        shaderProgram.setUniform("materialSpec", 2)
+        shaderProgram.setUniform("materialShininess", shininess)
+        shaderProgram.setUniform("tcMultiplier", tcMultiplier)
+    }
+}

@@ -1,0 +1,20 @@
+package cga.exercise.components.geometry
+
+import cga.exercise.components.shader.ShaderProgram
+
+class Renderable(val meshes: MutableList<Mesh> = ArrayList()) : Transformable() {
+    /**
+     * Renders all meshes attached to this Renderable, applying the transformation matrix to
+     * each of them
+     */
+    fun render(shaderProgram: ShaderProgram) {
+        shaderProgram.setUniform("model_matrix", getWorldModelMatrix(), false)
+        for (m in meshes) {
+            m.render(shaderProgram)
+        }
+    }
+
+    fun cleanup() {
+        for (m in meshes) m.cleanup()
+    }
+}

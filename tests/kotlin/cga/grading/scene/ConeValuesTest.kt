@@ -41,7 +41,7 @@ class ConeValuesTest {
     @Test
     fun `degrees made radians twice leave a cone of half a degree`() {
         val (measured, found) = ConeValues.judge(ObservedCone(Vector3d(0.0, 0.0, -1.0), twice(15), twice(25)), "spot")
-        assertEquals(Mistake.UNKNOWN, found?.mistake)
+        assertEquals(Mistake.DEGREES_FOR_RADIANS, found?.mistake)
         assertEquals(1.0, measured.error)
         // As narrow, and of nobody's degrees.
         assertEquals(null, mistake(0.0041, 0.0077))

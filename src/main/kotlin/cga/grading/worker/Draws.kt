@@ -106,6 +106,21 @@ internal class Draws(
     private fun bytes(attribute: CapturedAttribute) =
         buffers.contents(attribute(attribute.location, GL_VERTEX_ATTRIB_ARRAY_BUFFER_BINDING)).bytes.size
 
+    /** OpenGL's names of the textures that a draw would sample now. */
+    fun sampled(): List<Int> {
+        val name = glGetInteger(GL_CURRENT_PROGRAM)
+        val samplers = programs.find(name)?.uniforms.orEmpty().filter { TextureTarget.ofSampler(it.type) == TextureTarget.FLAT }
+        if (samplers.isEmpty()) return emptyList()
+        val active = glGetInteger(GL_ACTIVE_TEXTURE)
+        val units = samplers.map { Uniforms.value(name, it).numbers[0].toInt() }.filter { it in 0 until CaptureLimits.UNITS }
+        val textures = units.map { unit ->
+            glActiveTexture(GL_TEXTURE0 + unit)
+            glGetInteger(GL_TEXTURE_BINDING_2D)
+        }
+        glActiveTexture(active)
+        return textures
+    }
+
     private fun textures(uniforms: List<UniformValue>): Map<Int, Int> {
         val samplers = uniforms.mapNotNull { uniform -> TextureTarget.ofSampler(uniform.type)?.let { uniform to it } }
         if (samplers.isEmpty()) return emptyMap()

@@ -9,6 +9,7 @@ import org.lwjgl.system.MemoryUtil
 internal class FramebufferCalls(
     private val tape: Tape,
     private val window: WindowFramebuffer,
+    private val scene: SceneTarget,
 ) {
     /** Does [call] where it is about framebuffers; answers false for all others. */
     fun handle(call: Call): Boolean {
@@ -19,10 +20,7 @@ internal class FramebufferCalls(
             "glReadBuffer" -> if (window.isReadFrom()) withBackBuffer(call, 0) else call.proceed()
             "glDrawBuffers" -> if (window.isDrawnTo()) drawBuffers(call) else call.proceed()
             "glReadPixels" -> if (window.isReadFrom()) window.readable(call::proceed) else call.proceed()
-            "glBlitFramebuffer" -> {
-                if (window.isDrawnTo()) tape.event(EventKind.NOT_CAPTURED, "glBlitFramebuffer into the window")
-                call.proceed()
-            }
+            "glBlitFramebuffer" -> blit(call)
             else -> return false
         }
         return true
@@ -30,6 +28,12 @@ internal class FramebufferCalls(
 
     private fun bind(call: Call) {
         if (call.int(1) == 0) call.setInt(1, window.name)
+        call.proceed()
+    }
+
+    private fun blit(call: Call) {
+        if (scene.copies()) return tape.event(EventKind.NOT_CAPTURED, Recorder.LAID_BARE)
+        if (window.isDrawnTo()) tape.event(EventKind.NOT_CAPTURED, "glBlitFramebuffer into the window")
         call.proceed()
     }
 

@@ -15,16 +15,20 @@ internal class Recorder(
     private val errors = Errors(tape)
     private val programs = Programs(tape)
     private val draws = Draws(tape, programs)
-    private val framebuffers = FramebufferCalls(tape, window)
+    private val scene = SceneTarget(window)
+    private val framebuffers = FramebufferCalls(tape, window, scene)
     private val writes = WriteCalls(draws.buffers.writes, draws.textures.writes)
     private val sentTwice = SentTwice(programs, tape)
     private val steps = ArrayList<CapturedStep>()
     private var moment: Moment? = null
+    private var isSpoilt = false
 
     /** Begins the frame of [moment]. */
     fun begin(moment: Moment) {
         this.moment = moment
         steps.clear()
+        isSpoilt = false
+        scene.begin()
         window.clear()
     }
 
@@ -35,7 +39,7 @@ internal class Recorder(
     ) {
         val moment = moment ?: return
         this.moment = null
-        val picture = if (isWhole && moment.drawn) window.read() else null
+        val picture = if (isWhole && moment.drawn && !isSpoilt) window.read() else null
         tape.add(CapturedFrame(moment, time, steps.toList(), picture))
     }
 
@@ -107,6 +111,22 @@ internal class Recorder(
             tape.event(EventKind.NOT_CAPTURED, "${call.name} outside of render")
             return
         }
+        val isShowing = scene.isShowing(draws.sampled())
+        if (isShowing && window.isDrawnTo()) return tape.event(EventKind.NOT_CAPTURED, LAID_BARE)
+        if (!isShowing && scene.isScene()) return scene.inWindow { draw(call, wanted, moment) }
+        if (window.isDrawnTo() && scene.isSecondScene()) {
+            // What was taken for the scene is in the picture already.
+            steps.clear()
+            isSpoilt = true
+        }
+        draw(call, wanted, moment)
+    }
+
+    private fun draw(
+        call: Call,
+        wanted: DrawCall,
+        moment: Moment,
+    ) {
         val look = draws.look(wanted, call.name)
         // Questions about a state that is not valid may have failed.
         errors.drop()
@@ -123,11 +143,23 @@ internal class Recorder(
     }
 
     private fun clear(call: Call) {
+        if (moment != null && scene.isScene()) return scene.inWindow { clearNow(call) }
+        // The window is not cleared of the scene that it would have shown later.
+        if (scene.hasScene && !scene.isMirror && window.isDrawnTo()) return
+        clearNow(call)
+    }
+
+    private fun clearNow(call: Call) {
         val moment = moment
         val isOurs = window.isDrawnTo()
         if (!isOurs) writes.noteDrawing()
         val step = if (moment != null && isOurs) ClearCalls.step(call) else null
         if (moment?.drawn != false || step == null) call.proceed()
         if (!errors.check(call.name) && step != null && tape.affordStep(1)) steps += step
+    }
+
+    companion object {
+        const val LAID_BARE =
+            "what shows the scene, which is drawn into a framebuffer of the submission's own first: the scene is judged as it is drawn there"
     }
 }

@@ -46,6 +46,8 @@ public class CapturedProgram(
  * @param wrapS as all other parameters here OpenGL's own constant.
  * @param srgb whether the texels are sRGB-encoded and are decoded when sampled.
  * @param wrapR of a cube map; of a 2D texture it means nothing.
+ * @param depth the format of a texture of depths, whose levels are one float a texel in this machine's order; 0 for colours.
+ * @param border RGBA of what lies outside where it is clamped to its border.
  */
 public class CapturedTexture(
     public val width: Int,
@@ -59,6 +61,8 @@ public class CapturedTexture(
     public val srgb: Boolean = false,
     public val isCube: Boolean = false,
     public val wrapR: Int = GL_REPEAT,
+    public val depth: Int = 0,
+    public val border: List<Float>? = null,
 ) {
     /** How many pictures a level is made of. */
     public val faces: Int get() = if (isCube) CUBE_FACES else 1

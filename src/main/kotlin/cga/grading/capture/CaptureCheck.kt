@@ -39,6 +39,7 @@ internal class CaptureCheck(private val capture: Capture) {
         }
         expect(1 shl (texture.levels.size - 1) <= maxOf(texture.width, texture.height)) { "a texture has more levels than it can have" }
         expect(!texture.isCube || texture.width == texture.height) { "a cube map is ${texture.width}x${texture.height}" }
+        expect(texture.depth == 0 || (texture.depth in DEPTHS && !texture.isCube)) { "a texture of depths has the format ${texture.depth}" }
         expect(texture.wrapS in WRAPS && texture.wrapT in WRAPS && texture.wrapR in WRAPS) { "a texture wraps in an unknown way" }
         expect(texture.magFilter == GL_NEAREST || texture.magFilter == GL_LINEAR) { "a texture's magFilter is ${texture.magFilter}" }
         val minFilters = GlNumbers.mipmapFilters + GL_NEAREST + GL_LINEAR
@@ -115,6 +116,7 @@ internal class CaptureCheck(private val capture: Capture) {
     private companion object {
         val WRAPS = setOf(GL_REPEAT, GL_MIRRORED_REPEAT, GL_CLAMP_TO_EDGE, GL_CLAMP_TO_BORDER)
         const val SCISSOR = 4
+        val DEPTHS = setOf(GL_DEPTH_COMPONENT, GL_DEPTH_COMPONENT16, GL_DEPTH_COMPONENT24, GL_DEPTH_COMPONENT32, GL_DEPTH_COMPONENT32F)
         val FACTORS = setOf(GL_ZERO, GL_ONE) + (GL_SRC_COLOR..GL_SRC_ALPHA_SATURATE) + (GL_CONSTANT_COLOR..GL_ONE_MINUS_CONSTANT_ALPHA)
     }
 }

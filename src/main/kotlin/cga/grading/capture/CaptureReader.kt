@@ -53,13 +53,15 @@ internal class CaptureReader(private val input: LimitedInput) {
         val (minFilter, magFilter) = List(2) { input.int() }
         val maxAnisotropy = input.float()
         val kind = input.byte()
-        if (kind !in 0..(CaptureWriter.SRGB or CaptureWriter.CUBE)) throw BadCapture("$kind is no kind of texture")
+        if (kind !in 0..CaptureWriter.KINDS) throw BadCapture("$kind is no kind of texture")
         val isCube = kind and CaptureWriter.CUBE != 0
         return CapturedTexture(
             width, height, levels, wrapS, wrapT, minFilter, magFilter, maxAnisotropy,
             srgb = kind and CaptureWriter.SRGB != 0,
             isCube = isCube,
             wrapR = if (isCube) input.int() else wrapS,
+            depth = if (kind and CaptureWriter.DEPTH != 0) input.int() else 0,
+            border = if (kind and CaptureWriter.BORDER != 0) List(CaptureWriter.COLOR) { input.float() } else null,
         )
     }
 

@@ -40,8 +40,11 @@ internal class CaptureWriter(private val out: DataOutputStream) {
         list(texture.levels, ::bytes)
         for (number in listOf(texture.wrapS, texture.wrapT, texture.minFilter, texture.magFilter)) out.writeInt(number)
         out.writeFloat(texture.maxAnisotropy)
-        out.writeByte((if (texture.srgb) SRGB else 0) or (if (texture.isCube) CUBE else 0))
+        val kinds = listOf(texture.srgb to SRGB, texture.isCube to CUBE, (texture.depth != 0) to DEPTH, (texture.border != null) to BORDER)
+        out.writeByte(kinds.sumOf { (isSo, bit) -> if (isSo) bit else 0 })
         if (texture.isCube) out.writeInt(texture.wrapR)
+        if (texture.depth != 0) out.writeInt(texture.depth)
+        texture.border?.let { border -> repeat(COLOR) { out.writeFloat(border[it]) } }
     }
 
     private fun frame(frame: CapturedFrame) {
@@ -136,6 +139,9 @@ internal class CaptureWriter(private val out: DataOutputStream) {
         const val LIMITED = 2
         const val SRGB = 1
         const val CUBE = 2
+        const val DEPTH = 4
+        const val BORDER = 8
+        const val KINDS = SRGB or CUBE or DEPTH or BORDER
         const val COLOR = 4
         const val VIEWPORT = 4
     }

@@ -59,6 +59,7 @@ internal class ReplayObjects(private val capture: Capture) : AutoCloseable {
         glTexParameteri(target, GL_TEXTURE_WRAP_S, texture.wrapS)
         glTexParameteri(target, GL_TEXTURE_WRAP_T, texture.wrapT)
         glTexParameteri(target, GL_TEXTURE_WRAP_R, texture.wrapR)
+        texture.border?.let { glTexParameterfv(target, GL_TEXTURE_BORDER_COLOR, it.toFloatArray()) }
         glTexParameteri(target, GL_TEXTURE_MIN_FILTER, texture.minFilter)
         glTexParameteri(target, GL_TEXTURE_MAG_FILTER, texture.magFilter)
         // Without mipmaps software rendering can hang on it, and the worker turned it off as well.
@@ -75,6 +76,7 @@ internal class ReplayObjects(private val capture: Capture) : AutoCloseable {
         level: Int,
         texels: ByteArray,
     ) {
+        if (texture.depth != 0) return uploadDepth(texture, level, texels)
         val face = texels.size / texture.faces
         val width = maxOf(1, texture.width shr level)
         val height = maxOf(1, texture.height shr level)
@@ -87,6 +89,16 @@ internal class ReplayObjects(private val capture: Capture) : AutoCloseable {
                 )
             }
         }
+    }
+
+    private fun uploadDepth(
+        texture: CapturedTexture,
+        level: Int,
+        texels: ByteArray,
+    ): Unit = withBytes(texels) {
+        val width = maxOf(1, texture.width shr level)
+        val height = maxOf(1, texture.height shr level)
+        glTexImage2D(GL_TEXTURE_2D, level, texture.depth, width, height, 0, GL_DEPTH_COMPONENT, GL_FLOAT, it)
     }
 
     private val CapturedTexture.target: Int get() = if (isCube) GL_TEXTURE_CUBE_MAP else GL_TEXTURE_2D

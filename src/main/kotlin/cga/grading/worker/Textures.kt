@@ -6,6 +6,7 @@ import cga.grading.capture.EventKind
 import cga.grading.capture.GlNumbers
 import org.lwjgl.opengl.EXTTextureFilterAnisotropic.GL_TEXTURE_MAX_ANISOTROPY_EXT
 import org.lwjgl.opengl.GL33C.*
+import org.lwjgl.system.MemoryStack
 
 /** Where a texture is bound. @param sides what its pictures are uploaded to. */
 internal enum class TextureTarget(
@@ -45,6 +46,7 @@ internal class Textures(private val tape: Tape) {
         val height: Int,
         val levels: List<ByteArray>,
         val srgb: Boolean,
+        val depth: Int,
     )
 
     /**
@@ -63,17 +65,18 @@ internal class Textures(private val tape: Tape) {
         val wrapR = filtering(GL_TEXTURE_WRAP_R)
         val minFilter = filtering(GL_TEXTURE_MIN_FILTER)
         val magFilter = filtering(GL_TEXTURE_MAG_FILTER)
-        val key = listOf(name, image.count, wrapS, wrapT, wrapR, minFilter, magFilter, anisotropy(minFilter))
+        val border = if (GL_CLAMP_TO_BORDER in listOf(wrapS, wrapT, wrapR)) border() else null
+        val key = listOf(name, image.count, wrapS, wrapT, wrapR, minFilter, magFilter, anisotropy(minFilter), border.orEmpty())
         if (minFilter in GlNumbers.mipmapFilters && !isComplete(image)) {
             tape.event(EventKind.TEXTURE_INCOMPLETE, sampler)
             return null
         }
-        unusual(wrapS, wrapT)?.let { tape.event(EventKind.NOT_CAPTURED, "$sampler: a texture with $it") }
+        unusual()?.let { tape.event(EventKind.NOT_CAPTURED, "$sampler: a texture with $it") }
         return numbers.getOrPut(key) {
             tape.add(
                 CapturedTexture(
                     image.width, image.height, image.levels, wrapS, wrapT, minFilter, magFilter, anisotropy(minFilter), image.srgb,
-                    target == TextureTarget.CUBE, wrapR,
+                    target == TextureTarget.CUBE, wrapR, image.depth, border,
                 ),
             )
         }
@@ -91,17 +94,22 @@ internal class Textures(private val tape: Tape) {
         if (!hasLevel(0, width, height)) return null
         if (maxOf(width, height) > CaptureLimits.SIDE) return refuse("a texture of ${width}x$height")
         if (parameter(GL_TEXTURE_BASE_LEVEL) != 0) return refuse("a texture that begins at level ${parameter(GL_TEXTURE_BASE_LEVEL)}")
+        val isDepth = level(0, GL_TEXTURE_DEPTH_SIZE) > 0
+        // Seen with llvmpipe: depths that were just drawn are read as those of before otherwise.
+        if (isDepth) glFinish()
         val type = level(0, GL_TEXTURE_RED_TYPE)
-        if (type != GL_UNSIGNED_NORMALIZED || level(0, GL_TEXTURE_RED_SIZE) > Byte.SIZE_BITS) {
+        if (isDepth) {
+            if (target == TextureTarget.CUBE) return refuse("a cube map of depths")
+        } else if (type != GL_UNSIGNED_NORMALIZED || level(0, GL_TEXTURE_RED_SIZE) > Byte.SIZE_BITS) {
             tape.event(EventKind.NOT_CAPTURED, "a texture of more than 8 bits a channel, held with 8")
         }
         val levels = ArrayList<ByteArray>()
         for (number in 0..minOf(parameter(GL_TEXTURE_MAX_LEVEL), lastLevel(width, height))) {
             if (!hasLevel(number, maxOf(1, width shr number), maxOf(1, height shr number))) break
-            levels += tape.texels(texels(number)) ?: return null
+            levels += tape.texels(texels(number, isDepth)) ?: return null
         }
-        val srgb = level(0, GL_TEXTURE_INTERNAL_FORMAT) in SRGB
-        return Image(count, width, height, levels, srgb)
+        val format = level(0, GL_TEXTURE_INTERNAL_FORMAT)
+        return Image(count, width, height, levels, format in SRGB, if (isDepth) DEPTHS[format] ?: format else 0)
     }
 
     /** Whether all sides have a picture of this size. */
@@ -112,13 +120,20 @@ internal class Textures(private val tape: Tape) {
     ) = width > 0 && height > 0 &&
         target.sides.all { level(number, GL_TEXTURE_WIDTH, it) == width && level(number, GL_TEXTURE_HEIGHT, it) == height }
 
-    private fun texels(number: Int): ByteArray {
+    private fun texels(
+        number: Int,
+        isDepth: Boolean,
+    ): ByteArray {
         val side = 4 * level(number, GL_TEXTURE_WIDTH) * level(number, GL_TEXTURE_HEIGHT)
         val bytes = ByteArray(side * target.sides.size)
         Packing.plain {
             Native.bytes(side) {
                 target.sides.forEachIndexed { i, at ->
-                    glGetTexImage(at, number, GL_RGBA, GL_UNSIGNED_BYTE, it)
+                    if (isDepth) {
+                        glGetTexImage(at, number, GL_DEPTH_COMPONENT, GL_FLOAT, it)
+                    } else {
+                        glGetTexImage(at, number, GL_RGBA, GL_UNSIGNED_BYTE, it)
+                    }
                     it.get(0, bytes, i * side, side)
                 }
             }
@@ -148,12 +163,20 @@ internal class Textures(private val tape: Tape) {
         return if (sampler == 0) parameter(name) else glGetSamplerParameteri(sampler, name)
     }
 
-    private fun unusual(
-        wrapS: Int,
-        wrapT: Int,
-    ): String? =
+    private fun border(): List<Float> =
+        MemoryStack.stackPush().use { stack ->
+            val four = stack.mallocFloat(4)
+            val sampler = glGetInteger(GL_SAMPLER_BINDING)
+            if (sampler == 0) {
+                glGetTexParameterfv(target.bound, GL_TEXTURE_BORDER_COLOR, four)
+            } else {
+                glGetSamplerParameterfv(sampler, GL_TEXTURE_BORDER_COLOR, four)
+            }
+            List(4) { four[it] }
+        }
+
+    private fun unusual(): String? =
         when {
-            GL_CLAMP_TO_BORDER in listOf(wrapS, wrapT) -> "a border"
             glGetTexParameterf(target.bound, GL_TEXTURE_LOD_BIAS) != 0f -> "a level-of-detail bias"
             parameter(GL_TEXTURE_COMPARE_MODE) != GL_NONE -> "a comparison"
             SWIZZLE.any { (name, value) -> parameter(name) != value } -> "swizzled channels"
@@ -181,6 +204,8 @@ internal class Textures(private val tape: Tape) {
     private fun hasExtension(name: String) = (0 until glGetInteger(GL_NUM_EXTENSIONS)).any { glGetStringi(GL_EXTENSIONS, it) == name }
 
     private companion object {
+        /** The formats with a stencil hold depths like those without. */
+        val DEPTHS = mapOf(GL_DEPTH24_STENCIL8 to GL_DEPTH_COMPONENT24, GL_DEPTH32F_STENCIL8 to GL_DEPTH_COMPONENT32F, GL_DEPTH_STENCIL to GL_DEPTH_COMPONENT24)
         val SRGB = setOf(GL_SRGB, GL_SRGB8, GL_SRGB_ALPHA, GL_SRGB8_ALPHA8)
         val SWIZZLE =
             mapOf(

@@ -112,7 +112,8 @@ class SubmissionReaderTest {
             """
         val texts = mapOf(
             "build.gradle.kts" to script + "    implementation(\"com.google.code.gson:gson:\$gsonVersion\")\n}",
-            "build.gradle" to "api group: 'com.google.code.gson', name: 'gson', version: '2.8.6'\nimplementation \"org.lwjgl:lwjgl-openal\"",
+            "build.gradle" to
+                "api group: 'com.google.code.gson', name: 'gson', version: '2.8.6'\nimplementation \"org.lwjgl:lwjgl-openal\"",
             "a/build.gradle" to script + "    implementation(\"com.google.code.gson\", \"gson\", gsonVersion)\n}",
             "libs.versions.toml" to
                 "[versions]\ngson = \"2.8.6\"\n[libraries]\ngson = { module = \"com.google.code.gson:gson\", version.ref = \"gson\" }\n" +

@@ -9,7 +9,11 @@ public data class Artifact(
 ) {
     init {
         // They become paths and addresses, and the version comes from a student's build file.
-        require(listOfNotNull(group, name, version, classifier).all { PART.matches(it) }) { "not the coordinates of a library: $group:$name:$version" }
+        require(
+            listOfNotNull(group, name, version, classifier).all {
+                PART.matches(it)
+            },
+        ) { "not the coordinates of a library: $group:$name:$version" }
     }
 
     /** The folder of all versions in a repository. */

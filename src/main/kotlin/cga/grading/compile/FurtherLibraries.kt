@@ -38,7 +38,10 @@ internal class FurtherLibraries private constructor(
                     emptyList<Path>().also { notes += "The library ${library.name} could not be had: ${e.message}" }
                 }
             }
-            return FurtherLibraries(jars.distinct().filterNot { isThere(ARTIFACT.find(it.name)?.groupValues?.get(1).orEmpty(), ours) }, notes)
+            return FurtherLibraries(
+                jars.distinct().filterNot { isThere(ARTIFACT.find(it.name)?.groupValues?.get(1).orEmpty(), ours) },
+                notes,
+            )
         }
 
         /** Kotlin's own library comes with the compiler, and a list of versions is no library. */

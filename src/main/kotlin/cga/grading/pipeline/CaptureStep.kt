@@ -22,7 +22,9 @@ internal class CaptureStep(
     /** The capture file, which nobody has looked into yet, of [submission] started in [start]. Throws [Stopped] where there is none. */
     fun capture(submission: Submission, start: Path, main: String, compiled: Compiled, scratch: Path, run: Run): Path {
         val file = scratch.resolve(NAME)
-        val command = WorkerFiles.command(WorkerRun(listOf(compiled.classes) + compiled.runtime, programs.worker, main, file, programs.workerArchive.options))
+        val command = WorkerFiles.command(
+            WorkerRun(listOf(compiled.classes) + compiled.runtime, programs.worker, main, file, programs.workerArchive.options),
+        )
         val readOnly = programs.readable + compiled.runtime + listOf(compiled.classes, submission.root, start)
         val outcome =
             sandbox.run(Job(command, scratch, readOnly, JavaCommand.MESA + NO_SOUND, workingDirectory = start, limits = limits))

@@ -34,10 +34,13 @@ internal class ActiveUniform(
  *
  * Its own `main` still runs; where it puts the vertex is written to `cga_clip` for transform feedback. Needs a current context.
  * Throws [InputError] with the driver's log when the program does not compile.
+ *
+ * @param depthMaps samplers that read depths: they see nothing near, so that nothing is in shadow.
  */
 internal class ProbeProgram(
     captured: CapturedProgram,
     isDeep: Boolean = false,
+    private val depthMaps: Set<String> = emptySet(),
 ) : AutoCloseable {
     private val vertex = LiftedConstants.of(captured.vertexSource, "cga_v", isDeep)
     private val fragment = LiftedConstants.of(captured.fragmentSource, "cga_f", isDeep)
@@ -65,14 +68,17 @@ internal class ProbeProgram(
         deep = lifts
         glUseProgram(id)
         val cubes = uniforms.filter { it.type == GL_SAMPLER_CUBE }
-        (samplers + cubes).forEachIndexed { unit, sampler -> glUniform1i(sampler.location, unit) }
+        (samplers + depths + cubes).forEachIndexed { unit, sampler -> glUniform1i(sampler.location, unit) }
     }
 
     /** All values of uniforms in [draw], those of the lifted constants among them. */
     fun values(draw: CapturedDraw): Map<String, FloatArray> = constants + draw.uniforms.associate { it.name to it.numbers }
 
-    /** The samplers of 2D textures; number i reads texture unit i. Those of cube maps find nothing, which is black. */
-    val samplers: List<ActiveUniform> get() = uniforms.filter { it.isSampler }
+    /** The samplers of coloured 2D textures; number i reads texture unit i. Those of cube maps find nothing, which is black. */
+    val samplers: List<ActiveUniform> get() = uniforms.filter { it.isSampler && it.name !in depthMaps }
+
+    /** The samplers of depths; they read the units after those of [samplers]. */
+    val depths: List<ActiveUniform> get() = uniforms.filter { it.isSampler && it.name in depthMaps }
 
     /** Names of the 4 × 4 matrices. */
     val matrices: List<String> get() = uniforms.filter { it.type == GL_FLOAT_MAT4 }.map { it.name }

@@ -115,7 +115,9 @@ internal class ProbeRig : AutoCloseable {
         glClear(GL_COLOR_BUFFER_BIT)
         glUseProgram(program.id)
         program.send(values)
-        program.samplers.forEachIndexed { unit, sampler -> bindTexel(unit, texels[sampler.name] ?: BLACK) }
+        val samplers = program.samplers
+        samplers.forEachIndexed { unit, sampler -> bindTexel(unit, texels[sampler.name] ?: BLACK) }
+        program.depths.indices.forEach { bindTexel(samplers.size + it, WHITE) }
     }
 
     private fun bindTexel(
@@ -193,6 +195,7 @@ internal class ProbeRig : AutoCloseable {
         private const val STEP = 4
         private val CORNERS = arrayOf(doubleArrayOf(1.5, 0.0), doubleArrayOf(-0.75, 1.25), doubleArrayOf(-0.75, -1.25))
         private val BLACK = FloatArray(3)
+        private val WHITE = floatArrayOf(1f, 1f, 1f)
         private val SWITCHED_OFF =
             intArrayOf(GL_DEPTH_TEST, GL_CULL_FACE, GL_BLEND, GL_SCISSOR_TEST, GL_STENCIL_TEST, GL_DITHER, GL_FRAMEBUFFER_SRGB)
 

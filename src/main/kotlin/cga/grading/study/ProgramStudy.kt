@@ -44,6 +44,9 @@ internal class ProgramStudy(
     /** The lights that are not black in all draws: what those would do nobody sees. */
     val shining: List<LightModel> by lazy { lights.filter(::everShines) }
 
+    /** Whether it has what the shaders of the scene have: lights or textures. */
+    val isOfScene: Boolean get() = colors.lights.isNotEmpty() || box.program.samplers.isNotEmpty()
+
     private fun everShines(light: LightModel): Boolean =
         sent[light.probe.slot.name]?.any { value -> value.take(3).any { it != 0f } } ?: true
 

@@ -18,6 +18,23 @@ internal class SamplerFacts(
     val unbound: Set<String> = emptySet(),
 ) {
     companion object {
+        /** What is drawn into others than the window leaves no texture out. */
+        private const val FRAMEBUFFER = "framebuffer"
+
+        /** The samplers of program [number] that read depths, in any draw. */
+        fun depthMaps(
+            capture: Capture,
+            number: Int,
+        ): Set<String> = if (capture.textures.none { it.depth != 0 }) {
+            emptySet()
+        } else {
+            read(capture, number)
+                .filter { (_, texture) ->
+                    texture != null && capture.textures[texture].depth != 0
+                }.map { it.first }
+                .toSet()
+        }
+
         /** Of program [number]. */
         fun of(
             capture: Capture,
@@ -45,7 +62,8 @@ internal class SamplerFacts(
             read: List<Pair<String, Int?>>,
         ): Set<String> {
             // Where nothing has a texture at all, none was loaded, and units have nothing to do with it.
-            if (capture.events.any { it.kind == EventKind.NOT_CAPTURED } || capture.textures.isEmpty()) return emptySet()
+            val isPart = capture.events.any { it.kind == EventKind.NOT_CAPTURED && FRAMEBUFFER !in it.text }
+            if (isPart || capture.textures.isEmpty()) return emptySet()
             return read.groupBy({ it.first }, { it.second }).filterValues { all -> all.all { it == null } }.keys
         }
 

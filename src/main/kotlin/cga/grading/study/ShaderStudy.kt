@@ -64,7 +64,7 @@ public class ShaderStudy private constructor(
                     val captured = capture.programs.getOrNull(number) ?: throw InputError("program $number was not captured")
 
                     fun study(isDeep: Boolean): ProgramStudy {
-                        val program = ProbeProgram(captured, isDeep).also(programs::add)
+                        val program = ProbeProgram(captured, isDeep, SamplerFacts.depthMaps(capture, number)).also(programs::add)
                         return ProgramStudy.of(rig, program, capture, number, Representative.of(rig, program, capture, number, all))
                     }
                     val plain = study(isDeep = false)
@@ -75,7 +75,9 @@ public class ShaderStudy private constructor(
                 }
             }
             // What stands in for shaders that do not compile is not the submission's.
-            val own = studies.filterKeys { !capture.programs[it].substituted }.values
+            val all = studies.filterKeys { !capture.programs[it].substituted }.values
+            // Beside shaders with lights, those that know neither light nor texture draw something else: sparks, a trail.
+            val own = all.filter { it.isOfScene || all.none(ProgramStudy::isOfScene) }
             own.filter(ProgramDeviations::isRepeated).forEach {
                 notes += "The emission is added ${it.emission.strength.roundToInt()} times, as if once for each light; wanted: once."
             }

@@ -65,8 +65,11 @@ internal object Suns {
         ): Vector3d? {
             val probe = LightProbe(box, slot, colors)
             val texels = matte(probe) ?: return null
-            val inView = probe.gradients(RAY, texels).first().direction
-            return Matrix3d(rotation).transpose().transform(Vector3d(inView)).normalize()
+            // By normals along the world's axes: where a wrong normal matrix bends them it does so alike in every picture.
+            val shades = probe.shade(Directions.AXES.map { Sample(RAY[0], rotation.transform(it, Vector3d())) }, texels)
+            val towards = Vector3d()
+            Directions.AXES.forEachIndexed { i, axis -> towards.fma(shades[i], axis) }
+            return towards.normalize()
         }
     }
 
@@ -77,8 +80,13 @@ internal object Suns {
         capture: Capture,
         number: Int,
     ): Pair<Turned, Turned>? {
-        val draws = capture.frames.flatMap { it.steps }.filterIsInstance<CapturedDraw>().filter { it.program == number }
-        val all = draws.groupBy(::mesh).values.maxByOrNull { same -> extent(capture, formula, same.first()) } ?: return null
+        // The same mesh may be drawn as several objects: the order in the picture tells them apart.
+        val objects = capture.frames
+            .flatMap { frame ->
+                val draws = frame.steps.filterIsInstance<CapturedDraw>().filter { it.program == number }
+                draws.groupBy(::mesh).flatMap { (mesh, same) -> same.mapIndexed { i, draw -> (mesh to i) to draw } }
+            }.groupBy({ it.first }, { it.second })
+        val all = objects.values.maxByOrNull { same -> extent(box, formula, capture, same.first()) } ?: return null
         val turned = all.mapNotNull { draw ->
             val values = box.program.values(draw)
             val spaces = Spaces.of(formula, box.program.matrices.filter { it in values }, values) ?: return@mapNotNull null
@@ -91,13 +99,20 @@ internal object Suns {
 
     private fun mesh(draw: CapturedDraw) = listOf(draw.attributes.map { it.buffer to it.offset }, draw.indices, draw.first, draw.count)
 
+    /** How far the object's points are from its own origin, in view space. */
     private fun extent(
-        capture: Capture,
+        box: BlackBox,
         formula: GeometryFormula,
+        capture: Capture,
         draw: CapturedDraw,
     ): Double {
+        val values = box.program.values(draw)
+        val spaces = Spaces.of(formula, box.program.matrices.filter { it in values }, values) ?: return 0.0
         val vertices = DrawVertices(capture, draw)
-        return vertices.distinct.maxOfOrNull { v -> vertices.read(formula.positionLocation, v)?.take(3)?.maxOf { abs(it) } ?: 0.0 } ?: 0.0
+        return vertices.distinct.maxOfOrNull { v ->
+            val at = vertices.read(formula.positionLocation, v)?.let { Vector3d(it[0], it[1], it[2]) } ?: return@maxOfOrNull 0.0
+            spaces.modelView.transformDirection(at).length()
+        } ?: 0.0
     }
 
     private fun apart(

@@ -48,7 +48,7 @@ internal class UnlitDraws private constructor(
             val kinds = pictures.flatten().groupBy { draw -> draw.uniforms.filter { it.name in switches }.map { it.numbers.toList() } }
             if (kinds.size > MOST) return emptySet()
             return try {
-                ProbeProgram(capture.programs[number]).use { program ->
+                ProbeProgram(capture.programs[number], depthMaps = SamplerFacts.depthMaps(capture, number)).use { program ->
                     val (lit, unlit) = kinds.values.partition { isLit(rig, program, capture, number, it) }
                     if (lit.isEmpty()) emptySet() else unlit.flatten().toSet()
                 }

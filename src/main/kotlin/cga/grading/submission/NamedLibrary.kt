@@ -32,12 +32,14 @@ public data class NamedLibrary(
 
         /** What [texts] (build files by path, without comments) name. No build script is run: this is only reading. */
         fun find(texts: Collection<String>): List<NamedLibrary> =
-            (texts.flatMap { text -> SHAPES.flatMap { it.findAll(text) } }
-                .map { match ->
-                    val (group, name, version) = match.destructured
-                    NamedLibrary(group, name, version(version.trim(), texts))
-                } + texts.flatMap { MODULE.findAll(it) }.map { NamedLibrary(LWJGL, it.groupValues[1], null) })
-                .distinctBy { it.group to it.name }
+            (
+                texts
+                    .flatMap { text -> SHAPES.flatMap { it.findAll(text) } }
+                    .map { match ->
+                        val (group, name, version) = match.destructured
+                        NamedLibrary(group, name, version(version.trim(), texts))
+                    } + texts.flatMap { MODULE.findAll(it) }.map { NamedLibrary(LWJGL, it.groupValues[1], null) }
+            ).distinctBy { it.group to it.name }
                 .take(MOST)
 
         /** The number that [said] is, or that the variable of that name has. */

@@ -45,7 +45,10 @@ internal class SceneTarget(private val window: WindowFramebuffer) {
         MemoryStack.stackPush().use { stack ->
             val viewport = stack.mallocInt(4)
             glGetIntegerv(GL_VIEWPORT, viewport)
-            val (x, y, w, h) = List(4) { viewport[it] * (if (it % 2 == 0) window.width else window.height) / (if (it % 2 == 0) width else height) }
+            val (x, y, w, h) = List(4) {
+                viewport[it] * (if (it % 2 == 0) window.width else window.height) /
+                    (if (it % 2 == 0) width else height)
+            }
             glBindFramebuffer(GL_DRAW_FRAMEBUFFER, window.name)
             glViewport(x, y, w, h)
             block()

@@ -205,7 +205,11 @@ internal class Textures(private val tape: Tape) {
 
     private companion object {
         /** The formats with a stencil hold depths like those without. */
-        val DEPTHS = mapOf(GL_DEPTH24_STENCIL8 to GL_DEPTH_COMPONENT24, GL_DEPTH32F_STENCIL8 to GL_DEPTH_COMPONENT32F, GL_DEPTH_STENCIL to GL_DEPTH_COMPONENT24)
+        val DEPTHS = mapOf(
+            GL_DEPTH24_STENCIL8 to GL_DEPTH_COMPONENT24,
+            GL_DEPTH32F_STENCIL8 to GL_DEPTH_COMPONENT32F,
+            GL_DEPTH_STENCIL to GL_DEPTH_COMPONENT24,
+        )
         val SRGB = setOf(GL_SRGB, GL_SRGB8, GL_SRGB_ALPHA, GL_SRGB8_ALPHA8)
         val SWIZZLE =
             mapOf(

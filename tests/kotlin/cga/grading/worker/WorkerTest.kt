@@ -117,6 +117,32 @@ class WorkerTest {
     }
 
     @Test
+    fun `a scene that is drawn into a framebuffer first is laid bare, and what would show it left out`() {
+        val run = WorkerProcess.ofStudent("PostProcessor")
+        assertEquals(0, run.exitCode, "$run")
+        assertReplays(run)
+        val draws = run.draws(1)
+        assertEquals(1, draws.size)
+        // The framebuffer is twice as large as the window.
+        assertEquals(listOf(0, 0, run.capture.width, run.capture.height), draws[0].state.viewport)
+        val picture = run.capture.frames[0].picture ?: error("no picture")
+        assertEquals(listOf(0, 128, 0), picture.take(3).map { it.toInt() and 0xFF }, "the corner, which is cleared")
+        assertEquals(listOf(EventKind.NOT_CAPTURED), run.capture.events.map { it.kind }.distinct())
+        assertTrue(run.capture.events.all { "shows the scene" in it.text })
+    }
+
+    @Test
+    fun `a scene that the window gets as well is a mirror, and captured where it is drawn itself`() {
+        val run = WorkerProcess.ofStudent("Mirrored")
+        assertEquals(0, run.exitCode, "$run")
+        // The first picture was begun as if it were none.
+        assertEquals(null, run.capture.frames[0].picture)
+        assertEquals(List(run.capture.frames.size) { 2 }, run.capture.frames.indices.map { run.draws(it).size })
+        val drawn = run.capture.frames.filter { it.moment.drawn }.drop(1)
+        assertTrue(drawn.isNotEmpty() && drawn.all { it.picture != null })
+    }
+
+    @Test
     fun `errors are noted with their function, and the student's own glGetError still sees the first`() {
         val run = WorkerProcess.ofStudent("Erring")
         assertEquals("1280 then 0", run.out.trim())

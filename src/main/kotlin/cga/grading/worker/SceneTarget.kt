@@ -76,6 +76,8 @@ internal class SceneTarget(private val window: WindowFramebuffer) {
     fun isSecondScene(): Boolean {
         if (!hasScene || !glIsEnabled(GL_DEPTH_TEST) || glGetInteger(GL_CURRENT_PROGRAM) !in programs) return false
         isMirror = true
+        target = 0
+        shown.clear()
         return true
     }
 

@@ -220,6 +220,63 @@ internal class Musician : Painter() {
     }
 }
 
+/** Draws into a framebuffer of its own, twice as large as the window, and shows that by a second program; as a [mirror] the scene is drawn again. */
+internal open class PostProcessor(private val mirror: Boolean = false) : Painter() {
+    private val shown =
+        "#version 330 core\nin vec2 place;\nuniform vec3 color;\nuniform sampler2D scene;\nout vec4 result;\n" +
+            "void main() {\n    result = vec4(color, 1.0) - texture(scene, place * 0.5 + 0.5);\n}\n"
+    private var framebuffer = 0
+    private var screen = 0
+    private var scene = 0
+
+    override fun start() {
+        super.start()
+        screen = link(VERTEX, shown)
+        scene = program
+        framebuffer = glGenFramebuffers()
+        glBindFramebuffer(GL_FRAMEBUFFER, framebuffer)
+        glBindTexture(GL_TEXTURE_2D, glGenTextures())
+        glTexImage2D(GL_TEXTURE_2D, 0, GL_RGB, 2 * WIDTH, 2 * HEIGHT, 0, GL_RGB, GL_UNSIGNED_BYTE, 0L)
+        glTexParameteri(GL_TEXTURE_2D, GL_TEXTURE_MIN_FILTER, GL_LINEAR)
+        glFramebufferTexture2D(GL_FRAMEBUFFER, GL_COLOR_ATTACHMENT0, GL_TEXTURE_2D, glGetInteger(GL_TEXTURE_BINDING_2D), 0)
+        glBindRenderbuffer(GL_RENDERBUFFER, glGenRenderbuffers())
+        glRenderbufferStorage(GL_RENDERBUFFER, GL_DEPTH_COMPONENT24, 2 * WIDTH, 2 * HEIGHT)
+        glFramebufferRenderbuffer(GL_FRAMEBUFFER, GL_DEPTH_ATTACHMENT, GL_RENDERBUFFER, glGetInteger(GL_RENDERBUFFER_BINDING))
+        glBindFramebuffer(GL_FRAMEBUFFER, 0)
+    }
+
+    override fun paint() {
+        glBindFramebuffer(GL_FRAMEBUFFER, framebuffer)
+        glViewport(0, 0, 2 * WIDTH, 2 * HEIGHT)
+        glClearColor(0f, 0.5f, 0f, 1f)
+        glClear(GL_COLOR_BUFFER_BIT or GL_DEPTH_BUFFER_BIT)
+        glEnable(GL_DEPTH_TEST)
+        color(1f, 0.5f, 0f)
+        glDrawArrays(GL_TRIANGLES, 0, 3)
+        glBindFramebuffer(GL_FRAMEBUFFER, 0)
+        glViewport(0, 0, WIDTH, HEIGHT)
+        if (mirror) glDrawArrays(GL_TRIANGLES, 0, 3)
+        glDisable(GL_DEPTH_TEST)
+        glClear(GL_DEPTH_BUFFER_BIT)
+        program = screen
+        glUseProgram(program)
+        color(1f, 1f, 1f)
+        glDrawArrays(GL_TRIANGLES, 0, 3)
+        program = scene
+    }
+
+    companion object {
+        @JvmStatic
+        fun main(args: Array<String>): Unit = PostProcessor().run()
+    }
+}
+
+/** Shows a scene that it also draws itself. */
+internal object Mirrored {
+    @JvmStatic
+    fun main(args: Array<String>): Unit = PostProcessor(mirror = true).run()
+}
+
 /** Makes errors and asks for them. */
 internal class Erring : Painter() {
     override fun paint() {

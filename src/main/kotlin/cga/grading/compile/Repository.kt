@@ -116,10 +116,10 @@ public class Repository(
             base?.resolve(path) ?: throw LibraryUnavailable("${path.substringAfterLast('/')} is not on this machine, and it is offline.")
         try {
             val answer = client.send(HttpRequest.newBuilder(address).timeout(PATIENCE).build(), BodyHandlers.ofInputStream())
+            val body = answer.body().use { it.readNBytes(LARGEST + 1) }
+            if (body.size > LARGEST) throw LibraryUnavailable("${path.substringAfterLast('/')} is larger than any library of use.")
             when (answer.statusCode()) {
-                OK -> return answer.body().use { it.readNBytes(LARGEST + 1) }.also {
-                    if (it.size > LARGEST) throw LibraryUnavailable("${path.substringAfterLast('/')} is larger than any library of use.")
-                }
+                OK -> return body
                 NOT_FOUND -> throw LibraryUnavailable("there is no ${path.substringAfterLast('/')} in the repository.", isUnknown = true)
                 else -> throw LibraryUnavailable("${path.substringAfterLast('/')}: the repository answers ${answer.statusCode()}.")
             }

@@ -31,16 +31,13 @@ public data class NamedLibrary(
         private const val LWJGL = "org.lwjgl"
 
         /** What [texts] (build files by path, without comments) name. No build script is run: this is only reading. */
-        fun find(texts: Collection<String>): List<NamedLibrary> =
-            (
-                texts
-                    .flatMap { text -> SHAPES.flatMap { it.findAll(text) } }
-                    .map { match ->
-                        val (group, name, version) = match.destructured
-                        NamedLibrary(group, name, version(version.trim(), texts))
-                    } + texts.flatMap { MODULE.findAll(it) }.map { NamedLibrary(LWJGL, it.groupValues[1], null) }
-            ).distinctBy { it.group to it.name }
-                .take(MOST)
+        fun find(texts: Collection<String>): List<NamedLibrary> {
+            val written = texts.flatMap { text -> SHAPES.flatMap { it.findAll(text) } }.map { it.groupValues.drop(1) }
+            val modules = texts.flatMap { MODULE.findAll(it) }.map { listOf(LWJGL, it.groupValues[1], "") }
+            return (written + modules).distinctBy { it.take(2) }.take(MOST).map { (group, name, said) ->
+                NamedLibrary(group, name, version(said.trim(), texts))
+            }
+        }
 
         /** The number that [said] is, or that the variable of that name has. */
         private fun version(said: String, texts: Collection<String>): String? {

@@ -21,6 +21,8 @@ internal class Recorder(
     private val sentTwice = SentTwice(programs, tape)
     private val steps = ArrayList<CapturedStep>()
     private var moment: Moment? = null
+
+    /** Whether this frame's picture was begun with something that does not belong into it. */
     private var isSpoilt = false
 
     /** Begins the frame of [moment]. */

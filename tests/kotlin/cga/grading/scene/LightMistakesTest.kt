@@ -43,6 +43,14 @@ class LightMistakesTest {
             private val theirs = Lamp("other_lamp", above, POINT_K) { Vector3d(2.0, 0.0, 0.0) }
             override val lamps = listOf(astray, head, theirs) + corners
 
+            override fun lights(
+                moment: Moment,
+                t: Double,
+                view: Matrix4d,
+            ) = super.lights(moment, t, view).map {
+                ObservedLight(it.name, it.position, it.color, it.k, it.spot, placedBy = "${it.name}.place")
+            }
+
             override fun update(
                 dt: Double,
                 t: Double,

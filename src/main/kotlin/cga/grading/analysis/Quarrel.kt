@@ -49,7 +49,7 @@ internal class Quarrel(
                 !breaksTie(found) &&
                     (
                         shading.any { it.mistake in CONE } ||
-                            (found.mistake != Mistake.CONE_NEVER_SENT && shadingVerdict[Check.CONE].isRight())
+                            (found.mistake != Mistake.CONE_NEVER_SENT && found.explains == null && shadingVerdict[Check.CONE].isRight())
                     )
             in FORM -> shadingVerdict[Check.ATTENUATION_FORM]?.error != null
             in K -> shading.any { it.mistake in SPOILS_K || isUnknownLaw(it, found) }

@@ -25,7 +25,8 @@ public object ConeValues {
         val text = "Full light up to ${degrees(inner)}, darkness from ${degrees(outer)}"
         if (isOfTwice(inner) && isOfTwice(outer)) {
             return Measured(Check.CONE, 1.0, "$text: too narrow to light anything, as if made radians twice; wanted: some degrees.") to
-                Found(Mistake.DEGREES_FOR_RADIANS, 0.0, 1.0, name)
+                // Whatever a shader makes of such numbers: that its highlights are right as well is no excuse.
+                Found(Mistake.DEGREES_FOR_RADIANS, 0.0, 1.0, name, explains = setOf(Check.CONE_SPECULAR))
         }
         val mistake = mistake(inner, outer) ?: return Measured(Check.CONE, 0.0, "$text.") to null
         // A hard edge is a cone all the same.

@@ -116,7 +116,9 @@ public object SceneJudge {
         val cone = spot.cone ?: ObservedCone(Vector3d(), Double.NaN, Double.NaN)
         val (measured, found) = ConeValues.judge(cone, spot.name)
         book.measured(Check.CONE, measured.error, measured.text)
-        if (found != null) book.found(found.mistake, found.fit, found.difference, found.where, found.alternatives)
+        if (found != null) {
+            book.found(found.mistake, found.fit, found.difference, found.where, found.alternatives, found.explains)
+        }
         // The overload of bind that knows no cone sends no direction either.
         if (found?.mistake == Mistake.CONE_NEVER_SENT) {
             if (book.missing.any { it.startsWith("the direction") }) {

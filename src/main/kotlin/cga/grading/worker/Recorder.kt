@@ -113,7 +113,7 @@ internal class Recorder(
             tape.event(EventKind.NOT_CAPTURED, "${call.name} outside of render")
             return
         }
-        val isShowing = scene.isShowing(draws.sampled())
+        val isShowing = scene.hasScene && scene.isShowing(draws.sampled())
         if (isShowing && window.isDrawnTo()) return tape.event(EventKind.NOT_CAPTURED, LAID_BARE)
         if (!isShowing && scene.isScene()) return scene.inWindow { draw(call, wanted, moment) }
         if (window.isDrawnTo() && scene.isSecondScene()) {
@@ -147,7 +147,7 @@ internal class Recorder(
     private fun clear(call: Call) {
         if (moment != null && scene.isScene()) return scene.inWindow { clearNow(call) }
         // The window is not cleared of the scene that it would have shown later.
-        if (scene.hasScene && !scene.isMirror && window.isDrawnTo()) return
+        if (scene.hasScene && window.isDrawnTo()) return
         clearNow(call)
     }
 

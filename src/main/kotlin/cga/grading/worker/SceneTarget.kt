@@ -16,8 +16,7 @@ internal class SceneTarget(private val window: WindowFramebuffer) {
     private var target = 0
 
     /** Whether it is a mirror after all. */
-    var isMirror: Boolean = false
-        private set
+    private var isMirror = false
 
     /** Whether this frame's scene has begun to be drawn in the window's place. */
     val hasScene: Boolean get() = target != 0
@@ -59,7 +58,7 @@ internal class SceneTarget(private val window: WindowFramebuffer) {
 
     /** Whether a draw that samples [textures] shows the scene; where it draws that shows it then, too. */
     fun isShowing(textures: Collection<Int>): Boolean {
-        if (!hasScene || textures.none { it in shown }) return false
+        if (textures.none { it in shown }) return false
         if (!window.isDrawnTo()) texture()?.let(shown::add)
         return true
     }

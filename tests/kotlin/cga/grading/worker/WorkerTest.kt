@@ -110,6 +110,25 @@ class WorkerTest {
     }
 
     @Test
+    fun `what a shader reads from uniform blocks is captured one by one, as it was at each draw`() {
+        val run = WorkerProcess.ofStudent("Blockhead")
+        assertEquals(emptyList<String>(), run.capture.events.map { "${it.kind} ${it.text}" })
+        assertReplays(run)
+        val (first, second) = listOf(1, 2).map { frame -> run.draws(frame).single().uniforms.associate { it.name to it.numbers.toList() } }
+        assertEquals(
+            setOf("bend.turn", "bend.shear", "count", "isOn") + (0..1).flatMap {
+                setOf("lamps[$it].color", "lamps[$it].strength")
+            },
+            first.keys,
+        )
+        assertEquals(listOf(0.6f, 0.2f, -0.2f, 0.6f), first["bend.turn"])
+        assertEquals(listOf(1f, 0f, 0.5f, 1f), first["bend.shear"])
+        assertEquals(listOf(0f, 0f, 1f), first["lamps[1].color"])
+        assertEquals(listOf(1f), first["isOn"])
+        assertEquals(setOf(listOf(1f), listOf(2f)), setOf(first["count"], second["count"]))
+    }
+
+    @Test
     fun `where there is no sound card, music is played to nobody`() {
         val run = WorkerProcess.ofStudent("Musician")
         assertEquals(listOf("true 100 true", "false"), run.out.trim().lines())

@@ -46,6 +46,15 @@ public object GlNumbers {
             else -> null
         }
 
+    /** How many of a uniform's numbers are one column: the rows of a matrix, all numbers of anything else. */
+    public fun rows(type: Int): Int =
+        when (type) {
+            GL_FLOAT_MAT2, GL_FLOAT_MAT3x2, GL_FLOAT_MAT4x2 -> 2
+            GL_FLOAT_MAT3, GL_FLOAT_MAT2x3, GL_FLOAT_MAT4x3 -> 3
+            GL_FLOAT_MAT4, GL_FLOAT_MAT2x4, GL_FLOAT_MAT3x4 -> 4
+            else -> components(type) ?: 0
+        }
+
     /** Whether a uniform of [type] is made of whole numbers: samplers, booleans and integers. */
     public fun isWhole(type: Int): Boolean = !isUnsigned(type) && type in WHOLE
 

@@ -98,6 +98,8 @@ internal class ColorJudge(
             book.found(Mistake.EMISSION_COLOR_IGNORED, 0.0, 1.0, "motorcycle", explains = setOf(Check.MOTORCYCLE_COLOR))
         } else {
             book.found(Mistake.COLOR_CONSTANT, 0.0, 1.0, "motorcycle")
+            val isBlack = tints.all { it.color.maxAbs() < DARK }
+            if (isBlack) book.lacks(COLOR, setOf(Check.MOTORCYCLE_COLOR), setOf(Mistake.COLOR_CONSTANT))
         }
     }
 

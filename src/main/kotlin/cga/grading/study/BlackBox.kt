@@ -61,6 +61,7 @@ internal class Setting(
  *
  * @param values the draw's uniforms; each call may replace some.
  * @param normalLength what every normal is multiplied by.
+ * @param fog that lies over what the shader lights; it is taken off before anyone looks.
  * @param exponent what the colours are raised to before anyone looks: undoes a gamma that the shader applies at its end.
  */
 internal class BlackBox(
@@ -73,6 +74,7 @@ internal class BlackBox(
     val values: Map<String, FloatArray>,
     val exponent: Double = 1.0,
     private val normalLength: Double = 1.0,
+    private val fog: Fog? = null,
 ) {
     private val toModel = spaces.modelView.invert(Matrix4d())
 
@@ -90,7 +92,7 @@ internal class BlackBox(
             val rgba = rig.points(program, feed(chunk), values + setting.values, setting.texels)
             for (i in chunk.indices) for (c in 0..2) result[3 * (index * ProbeRig.CAPACITY + i) + c] = decoded(rgba[4 * i + c].toDouble())
         }
-        return result
+        return fog?.lifted(result, samples.map { it.position }, setting) ?: result
     }
 
     /** The same in the middle of triangles of which [corners] gives three at a time. */
@@ -99,26 +101,38 @@ internal class BlackBox(
         setting: Setting,
     ): DoubleArray {
         val rgba = rig.triangles(program, feed(corners), values + setting.values, setting.texels)
-        return DoubleArray(corners.size) { decoded(rgba[4 * (it / 3) + it % 3].toDouble()) }
+        val result = DoubleArray(corners.size) { decoded(rgba[4 * (it / 3) + it % 3].toDouble()) }
+        return fog?.lifted(result, corners.chunked(3) { middle(it) }, setting) ?: result
     }
 
+    private fun middle(corners: List<Sample>): Vector3dc =
+        corners.fold(Vector3d()) { sum, corner -> sum.add(corner.position) }.div(corners.size.toDouble())
+
     /** This box seen through another [exponent]. */
-    fun decodedBy(exponent: Double): BlackBox =
-        BlackBox(rig, program, positionLocation, normalLocation, otherLocations, spaces, values, exponent, normalLength)
+    fun decodedBy(exponent: Double): BlackBox = copy(exponent = exponent, fog = fog?.decodedBy(exponent))
 
     /** This box for other values of the same uniforms. */
-    fun withValues(replaced: Map<String, FloatArray>): BlackBox =
-        BlackBox(rig, program, positionLocation, normalLocation, otherLocations, spaces, values + replaced, exponent, normalLength)
+    fun withValues(replaced: Map<String, FloatArray>): BlackBox = copy(values = values + replaced)
 
     /** This box for another draw with the same program. */
     fun drawn(
         spaces: Spaces,
         values: Map<String, FloatArray>,
-    ): BlackBox = BlackBox(rig, program, positionLocation, normalLocation, otherLocations, spaces, values, exponent, normalLength)
+    ): BlackBox = copy(spaces = spaces, values = values)
 
     /** This box with all normals [length] times as long: what a shader adds to them no longer matters. */
-    fun withNormalLength(length: Double): BlackBox =
-        BlackBox(rig, program, positionLocation, normalLocation, otherLocations, spaces, values, exponent, length)
+    fun withNormalLength(length: Double): BlackBox = copy(normalLength = length)
+
+    /** This box without the [fog] over it. */
+    fun without(fog: Fog): BlackBox = copy(fog = fog)
+
+    private fun copy(
+        spaces: Spaces = this.spaces,
+        values: Map<String, FloatArray> = this.values,
+        exponent: Double = this.exponent,
+        normalLength: Double = this.normalLength,
+        fog: Fog? = this.fog,
+    ) = BlackBox(rig, program, positionLocation, normalLocation, otherLocations, spaces, values, exponent, normalLength, fog)
 
     private fun decoded(value: Double) = if (exponent == 1.0) value else sign(value) * abs(value).pow(exponent)
 

@@ -115,7 +115,7 @@ internal class ColorSlots(
             odd: Double = 0.0,
         ): Look {
             val none = box.shade(samples, base.withColor(slot, 0.0, 0.0, 0.0))
-            val once = box.shade(samples, base.withColor(slot, 0.5, 0.75, 0.625))
+            val once = box.shade(samples, base.withColor(slot, LEVELS[0], LEVELS[1], LEVELS[2]))
             val effect = DoubleArray(none.size) { once[it] - none[it] }
             // Each sample is judged by what it shows itself: highlights may be 1e18 times brighter than all else.
             val seen = none.indices.filter {
@@ -123,25 +123,21 @@ internal class ColorSlots(
                     effect[it].isFinite()
             }
             if (seen.isEmpty()) return Look(slot, isSilent = true)
-            val twice = box.shade(samples, base.withColor(slot, 1.0, 1.5, 1.25))
-            val red = box.shade(samples, base.withColor(slot, 0.5, 0.0, 0.0))
+            val twice = box.shade(samples, base.withColor(slot, 2 * LEVELS[0], 2 * LEVELS[1], 2 * LEVELS[2]))
+            // A draw may have a colour on everything that hides red.
+            val channel = (0..2).maxBy { c -> seen.count { it % 3 == c } }
+            val single = DoubleArray(3) { if (it == channel) LEVELS[it] else 0.0 }
+            val alone = box.shade(samples, base.withColor(slot, single[0], single[1], single[2]))
 
             fun allowed(i: Int) = AFFINE * abs(effect[i]) + noise(box) * FLOAT * (abs(none[i]) + abs(twice[i])) + TINY
             val finite = none.indices.filter { effect[it].isFinite() }
             val most = (odd * seen.size).toInt()
             if (finite.count { abs(twice[it] - none[it] - 2 * effect[it]) > allowed(it) } > most) return Look(slot)
-            if (finite.count { abs(red[it] - none[it] - if (it % 3 == 0) effect[it] else 0.0) > allowed(it) } > most) return Look(slot)
-            val typical = seen.filter { it % 3 == 0 }.map { effect[it] }.sorted().let {
-                if (it.isEmpty()) {
-                    return Look(slot)
-                } else {
-                    it[
-                        it.size /
-                            2,
-                    ]
-                }
-            }
-            val isFlat = finite.all { it % 3 != 0 || abs(effect[it] - typical) <= allowed(it) + AFFINE * abs(typical) }
+            val isMixed = finite.count { abs(alone[it] - none[it] - if (it % 3 == channel) effect[it] else 0.0) > allowed(it) } > most
+            if (isMixed) return Look(slot)
+            val effects = seen.filter { it % 3 == channel }.map { effect[it] }.sorted()
+            val typical = effects[effects.size / 2]
+            val isFlat = finite.all { it % 3 != channel || abs(effect[it] - typical) <= allowed(it) + AFFINE * abs(typical) }
             return Look(slot, isColor = true, isFlat = isFlat)
         }
 
@@ -190,6 +186,9 @@ internal class ColorSlots(
 
         private val VECTORS = setOf(org.lwjgl.opengl.GL33C.GL_FLOAT_VEC3, org.lwjgl.opengl.GL33C.GL_FLOAT_VEC4)
         private val MATERIAL_NAME = Regex("mat|diff|spec|albedo|surface", RegexOption.IGNORE_CASE)
+
+        /** Of red, green and blue while looking: no two alike, and in floats exact. */
+        private val LEVELS = listOf(0.5, 0.75, 0.625)
 
         // An effect below a few roundings of what is there is none.
         private const val NOTHING = 2e-6

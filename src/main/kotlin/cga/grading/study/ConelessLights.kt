@@ -25,7 +25,10 @@ internal class ConelessLights(
         ): ConelessLights {
             val none = ConelessLights(emptyList(), false)
             if (roles == null || roles.isShared) return none
-            val even = lights.filter { it.cone == null }
+            val (limited, all) = lights.partition { it.cone != null }
+            // Of one array they are of one kind: those without a cone are point lights.
+            val kinds = limited.map(::kind).toSet()
+            val even = all.filter { kind(it) !in kinds }
             val zeros = SilentLights.zeros(box)
             val awake = SilentLights.awake(box, zeros)
 
@@ -33,12 +36,16 @@ internal class ConelessLights(
                 val study = LightStudy(LightSearch(changed, surface), roles)
                 return even.filter { study.of(LightProbe(changed, it.probe.slot, colors))?.cone != null }
             }
-            val hasCone = even.size < lights.size
             val off = switches(box)
             val byNumbers = if (zeros.any { it.components <= 2 }) coned(awake) else emptyList()
-            val found = if (byNumbers.isEmpty() && !hasCone && off.isNotEmpty()) coned(awake.withValues(off)) else byNumbers
-            return ConelessLights(if (found.size < even.size) found else emptyList(), !hasCone && found.isNotEmpty())
+            val found = if (byNumbers.isEmpty() && limited.isEmpty() && off.isNotEmpty()) coned(awake.withValues(off)) else byNumbers
+            return ConelessLights(if (found.size < even.size) found else emptyList(), limited.isEmpty() && found.isNotEmpty())
         }
+
+        /** The name of [light]'s colour, elements of an array having one name; its own where it is in none. */
+        private fun kind(light: LightModel) = light.probe.slot.name.replace(INDEX, "[]")
+
+        private val INDEX = Regex("""\[\d+]""")
 
         /** Flags and whole numbers that are 0, each set to 1. */
         private fun switches(box: BlackBox): Map<String, FloatArray> =

@@ -90,9 +90,10 @@ internal class ProgramStudy(
             val (box, formula) = box(rig, program, capture, number, draw)
             val surface = surface(box, formula, DrawVertices(capture, draw))
             val suns = { seen: BlackBox, colors: ColorSlots -> Suns.among(seen, colors, formula, capture, number) }
-            val usual = sight(box, surface, suns)
+            val clear = Fog.over(box)?.let(box::without) ?: box
+            val usual = sight(clear, surface, suns)
             // What a shader adds to normals (the translation of a 4 × 4 matrix) is nothing beside long ones.
-            val long = if (usual.isOdd) sight(box.withNormalLength(LONG), surface, suns) else usual
+            val long = if (usual.isOdd) sight(clear.withNormalLength(LONG), surface, suns) else usual
             val sight = if (long.isOdd) usual else long
             val (look, colors, lit) = sight
             val decoded = look.box
@@ -105,10 +106,7 @@ internal class ProgramStudy(
                 number, decoded, formula, colors, roles, decoded.exponent, lights, emission,
                 SilentLights.of(decoded, colors, surface, roles),
                 sight !== usual,
-                colors.lights.isNotEmpty() && isAwake(
-                    box,
-                    decoded,
-                ),
+                colors.lights.isNotEmpty() && isAwake(box, decoded),
                 ConelessLights.of(decoded, colors, surface, roles, lights),
                 HiddenLights.areThere(decoded, colors, samples), SamplerFacts.of(capture, number),
                 sentValues(capture, number, draw), look.deadly, surface,

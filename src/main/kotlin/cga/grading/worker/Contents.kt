@@ -29,19 +29,19 @@ internal class Buffers(private val tape: Tape) {
     private val stored = HashMap<Int, Stored>()
     private val largest = HashMap<List<Any>, Long?>()
 
-    /** A buffer's contents; [number] is its number on the tape, null when it is not held there. */
-    class Stored(
+    /** A buffer's contents; [number] is its number on the tape once it is asked for, null when it is not held there. */
+    inner class Stored(
         val count: Long,
         val bytes: ByteArray,
-        val number: Int?,
-    )
+    ) {
+        val number: Int? by lazy { tape.buffer(bytes) }
+    }
 
     /** The contents of the buffer object [name] now. */
     fun contents(name: Int): Stored {
         val count = writes.count(name)
         stored[name]?.takeIf { it.count == count }?.let { return it }
-        val bytes = read(name)
-        return Stored(count, bytes, tape.buffer(bytes)).also { stored[name] = it }
+        return Stored(count, read(name)).also { stored[name] = it }
     }
 
     /** As [DrawBounds.largestIndex], remembered. */

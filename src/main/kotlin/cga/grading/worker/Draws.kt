@@ -45,7 +45,7 @@ internal class Draws(
                 return refuse("$function reads vertex $last, beyond the buffer of vertex attribute ${attribute.location}")
             }
         }
-        val values = program.uniforms.map { Uniforms.value(name, it) }
+        val values = program.uniforms.map { Uniforms.value(name, it) } + program.blocks.values(buffers)
         val number = program.number
         if (number == null || (indices != null && indices.number == null)) return refuse("$function of what a capture cannot hold", true)
         State.unusual()?.let { tape.event(EventKind.NOT_CAPTURED, "$function with $it") }

@@ -17,6 +17,7 @@ internal class Programs(private val tape: Tape) {
         val number: Int?,
         val attributes: Map<String, Int>,
         val uniforms: List<Uniform>,
+        val blocks: UniformBlocks,
     ) {
         /** Uniforms that were asked for, by location. */
         val asked: MutableMap<Int, String> = HashMap()
@@ -65,15 +66,18 @@ internal class Programs(private val tape: Tape) {
         val attributes = attributes(program)
         val vertex = shaders.filter { glGetShaderi(it, GL_SHADER_TYPE) == GL_VERTEX_SHADER }
         val fragment = shaders.filter { glGetShaderi(it, GL_SHADER_TYPE) == GL_FRAGMENT_SHADER }
-        val sources = (vertex + fragment).map { glGetShaderSource(it) }
+        val plain = (vertex + fragment).map { PlainUniforms(glGetShaderSource(it)) }
+        val sources = plain.map { it.source }
         val uniforms = Uniforms.of(program, tape)
+        val blocks = UniformBlocks.of(program, plain, tape)
+        val size = uniforms.size + blocks.members.size
         val refusal =
             when {
                 vertex.size != 1 || fragment.size != 1 || shaders.size != 2 -> "a program that is not one vertex and one fragment shader"
                 sources.any { it.toByteArray().size > CaptureLimits.SOURCE } -> "a shader of ${sources.maxOf { it.length }} characters"
                 attributes.size > CaptureLimits.ATTRIBUTES || attributes.values.any { it >= CaptureLimits.ATTRIBUTES } ->
                     "a program with ${attributes.size} attributes"
-                uniforms.size > CaptureLimits.UNIFORMS -> "a program with ${uniforms.size} uniforms"
+                size > CaptureLimits.UNIFORMS -> "a program with $size uniforms"
                 else -> null
             }
         if (refusal != null) tape.event(EventKind.NOT_CAPTURED, refusal)
@@ -84,7 +88,7 @@ internal class Programs(private val tape: Tape) {
             } else {
                 tape.add(CapturedProgram(sources[0], sources[1], attributes, bound, shaders.any(repair::isReplaced)))
             }
-        return Linked(number, attributes, uniforms)
+        return Linked(number, attributes, uniforms, blocks)
     }
 
     private fun attributes(program: Int): Map<String, Int> =

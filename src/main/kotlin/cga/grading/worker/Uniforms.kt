@@ -24,7 +24,6 @@ internal object Uniforms {
         MemoryStack.stackPush().use { stack ->
             val size = stack.mallocInt(1)
             val type = stack.mallocInt(1)
-            if (glGetProgrami(program, GL_ACTIVE_UNIFORM_BLOCKS) > 0) tape.event(EventKind.NOT_CAPTURED, "a uniform block")
             (0 until glGetProgrami(program, GL_ACTIVE_UNIFORMS)).flatMap { index ->
                 val name = glGetActiveUniform(program, index, size, type)
                 val names = if (name.endsWith("[0]")) List(size[0]) { "${name.dropLast(ZERO)}[$it]" } else listOf(name)

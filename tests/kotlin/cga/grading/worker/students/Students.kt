@@ -1,6 +1,7 @@
 package cga.grading.worker.students
 
 import cga.exercise.game.Game
+import org.lwjgl.BufferUtils
 import org.lwjgl.glfw.GLFW.GLFW_KEY_W
 import org.lwjgl.glfw.GLFW.glfwGetCurrentContext
 import org.lwjgl.glfw.GLFW.glfwGetKey
@@ -153,6 +154,50 @@ internal class Changer : Painter(samples = 0) {
     companion object {
         @JvmStatic
         fun main(args: Array<String>): Unit = Changer().run()
+    }
+}
+
+/** Keeps what its shaders read in uniform blocks: matrices by column and by row, an array of structs, whole numbers and a truth value. */
+internal class Blockhead : Painter() {
+    private val vertex =
+        "#version 330 core\nlayout(location = 0) in vec2 position;\nout vec2 place;\n" +
+            "layout(std140) uniform Turn { mat2 turn; layout(row_major) mat2 shear; /* } */ } bend;\n" +
+            "void main() {\n    place = position;\n    gl_Position = vec4(bend.shear * bend.turn * position, 0.0, 1.0);\n}\n"
+    private val fragment =
+        "#version 330 core\nin vec2 place;\nout vec4 result;\nstruct Lamp { vec3 color; float strength; };\n" +
+            "layout(std140) uniform Lamps {\n    Lamp lamps[2];\n#ifdef NOBODY\n    vec4 more;\n#endif\n    int count; bool isOn;\n};\n" +
+            "void main() {\n    vec3 sum = vec3(0.0);\n" +
+            "    for (int i = 0; i < count; i++) sum += lamps[i].color * lamps[i].strength;\n" +
+            "    result = vec4(isOn ? sum : vec3(1.0), 1.0);\n}\n"
+
+    override fun start() {
+        super.start()
+        program = link(vertex, fragment)
+        val numbers = BufferUtils.createByteBuffer(LAMPS + 3 * 16)
+        // Each column of a matrix takes 16 bytes, and each row of one by rows.
+        listOf(0.6f, 0.2f, 0f, 0f, -0.2f, 0.6f, 0f, 0f, 1f, 0.5f, 0f, 0f, 0f, 1f).forEachIndexed { i, it -> numbers.putFloat(4 * i, it) }
+        listOf(1f, 0.5f, 0f, 0.5f, 0f, 0f, 1f, 0.25f).forEachIndexed { i, it -> numbers.putFloat(LAMPS + 4 * i, it) }
+        numbers.putInt(LAMPS + 2 * 16, 2).putInt(LAMPS + 2 * 16 + 4, 1)
+        val buffer = glGenBuffers()
+        glBindBuffer(GL_UNIFORM_BUFFER, buffer)
+        glBufferData(GL_UNIFORM_BUFFER, numbers, GL_DYNAMIC_DRAW)
+        glUniformBlockBinding(program, glGetUniformBlockIndex(program, "Turn"), 3)
+        glUniformBlockBinding(program, glGetUniformBlockIndex(program, "Lamps"), 1)
+        glBindBufferRange(GL_UNIFORM_BUFFER, 3, buffer, 0, 4L * 16)
+        glBindBufferRange(GL_UNIFORM_BUFFER, 1, buffer, LAMPS.toLong(), 3L * 16)
+    }
+
+    override fun paint() {
+        glDrawArrays(GL_TRIANGLES, 0, 3)
+        // One lamp more, one less, from picture to picture.
+        glBufferSubData(GL_UNIFORM_BUFFER, LAMPS + 2L * 16, intArrayOf(1 + frame % 2))
+    }
+
+    companion object {
+        private const val LAMPS = 256
+
+        @JvmStatic
+        fun main(args: Array<String>): Unit = Blockhead().run()
     }
 }
 

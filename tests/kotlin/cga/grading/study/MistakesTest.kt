@@ -85,6 +85,12 @@ class MistakesTest {
             ),
             fragment(Mistake.UNKNOWN, "the headlight a second time without its cone", "* cone(ls);" to "* (1.0 + cone(ls));"),
             fragment(
+                Mistake.ATTENUATION_LINEAR,
+                "a distance that is not squared, in a fog",
+                "k.z * d * d" to "k.z * d",
+                "vec4(result, 1.0)" to "vec4(mix(vec3(0.4), result, exp(-0.05 * length(vertexData.toCamera))), 1.0)",
+            ),
+            fragment(
                 Mistake.CONE_CLAMP_MISSING,
                 "a cone that takes light away, under a gamma",
                 "clamp((theta - outer) / (inner - outer), 0.0, 1.0)" to "min((theta - outer) / (inner - outer), 1.0)",

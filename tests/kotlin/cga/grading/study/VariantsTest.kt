@@ -147,6 +147,21 @@ class VariantsTest {
                 fragment = CourseShaders.FRAGMENT.all("vec4(result" to "vec4(pow(result, vec3(1.0 / 2.2))"),
             ),
             Variant(
+                "fog with a beginning and an end",
+                fragment = CourseShaders.FRAGMENT.all(
+                    "vec4(result" to "vec4(mix(result, fogColor, clamp((length(vertexData.toCamera) - fog.x) / (fog.y - fog.x), 0.0, 1.0))",
+                    "out vec4" to "uniform vec2 fog; uniform vec3 fogColor; out vec4",
+                ),
+                sent = { _, u -> u + mapOf("fog" to floatArrayOf(3f, 60f), "fogColor" to Vector3d(0.2, 0.3, 0.5)) },
+            ),
+            Variant(
+                "exponential fog by depth, under a gamma",
+                fragment = CourseShaders.FRAGMENT.all(
+                    "vec4(result" to
+                        "vec4(pow(mix(vec3(0.1, 0.0, 0.2), result, exp(-0.04 * abs(vertexData.toCamera.z))), vec3(1.0 / 2.2))",
+                ),
+            ),
+            Variant(
                 "an intensity beside the colour",
                 fragment = CourseShaders.FRAGMENT.all(
                     "* spotLightColor" to "* spotLightColor * power",
@@ -205,7 +220,7 @@ class VariantsTest {
             for (check in study.checks) assertTrue((check.error ?: 0.0) < 2e-3) { "${check.check}: ${check.error} ${check.text}" }
             val frame = study.observe(capture.frames[0]) ?: error("nothing was observed")
             assertEquals(2, frame.objects.size)
-            assertEquals(variant.lights, frame.lights.size)
+            assertEquals(variant.lights, frame.lights.size) { "${frame.lights.map { it.name }}" }
             val expected = listOf(scene.pointPosition, scene.cornerPosition, scene.spotPosition).map { scene.viewed(it) }
             for (position in expected) {
                 assertTrue(

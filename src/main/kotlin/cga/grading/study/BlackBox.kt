@@ -124,7 +124,7 @@ internal class BlackBox(
     fun withNormalLength(length: Double): BlackBox = copy(normalLength = length)
 
     /** This box without the [fog] over it. */
-    fun without(fog: Fog): BlackBox = copy(fog = fog)
+    fun without(fog: Fog): BlackBox = copy(fog = fog, values = values + fog.black)
 
     private fun copy(
         spaces: Spaces = this.spaces,

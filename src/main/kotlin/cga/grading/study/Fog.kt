@@ -2,6 +2,8 @@ package cga.grading.study
 
 import org.joml.Vector3d
 import org.joml.Vector3dc
+import org.lwjgl.opengl.GL33C.GL_FLOAT_VEC3
+import org.lwjgl.opengl.GL33C.GL_FLOAT_VEC4
 import kotlin.math.abs
 
 /**
@@ -17,26 +19,46 @@ internal class Fog private constructor(
 ) {
     private val whole = glow(listOf(NEAR))[0]
 
+    /** Values that leave the fog black: what it is mixed from would only be rounded against what is lit. */
+    val black: Map<String, FloatArray> by lazy {
+        box.program.uniforms
+            .filter { it.type == GL_FLOAT_VEC3 || it.type == GL_FLOAT_VEC4 }
+            .filter { isSeen(it, 0.0) && isSeen(it, BRIGHT) }
+            .associate { it.name to FloatArray(it.components) }
+    }
+
     /** This fog seen through another gamma. */
     fun decodedBy(exponent: Double): Fog = Fog(box.decodedBy(exponent), emission)
 
     /**
      * What [shades], three for each of [positions] in view space, would be without fog, where the shader has [setting]; 0 where the fog leaves
-     * nothing to be seen.
+     * nothing to be seen. They are of a draw with [black] values.
      */
     fun lifted(
         shades: DoubleArray,
         positions: List<Vector3dc>,
         setting: Setting,
     ): DoubleArray {
-        // In the farthest distance nothing is seen but the fog itself.
-        val colors = box.shade(listOf(Sample(FAR, NORMAL)), setting)
+        val colors = distance(Setting(black + setting.values, setting.texels))
         val left = glow(positions).map { it / whole }
         return DoubleArray(shades.size) {
             val share = left[it / 3]
             if (share > FAINT) (shades[it] - (1 - share) * colors[it % 3]) / share else 0.0
         }
     }
+
+    /** Whether the fog looks different with all of [slot] at [level]. */
+    private fun isSeen(
+        slot: ActiveUniform,
+        level: Double,
+    ): Boolean {
+        val own = distance(Setting())
+        val changed = distance(Setting().withColor(slot, level, level, level))
+        return own.indices.any { abs(changed[it] - own[it]) > DIFFERENT * own.max() }
+    }
+
+    /** The fog's own colour: in the farthest distance nothing else is seen. */
+    private fun distance(setting: Setting): DoubleArray = box.shade(listOf(Sample(FAR, NORMAL)), setting)
 
     /** How bright the emission is at [positions]. */
     private fun glow(positions: List<Vector3dc>): List<Double> = glow(box, emission, positions.map { Sample(it, NORMAL) })
@@ -68,6 +90,8 @@ internal class Fog private constructor(
         }
 
         private const val BRIGHT = 0.5
+
+        private const val DIFFERENT = 1e-2
         private const val ALIKE = 1e-4
 
         // Of what is left, rounding takes as many times more as there is less of it.

@@ -1,0 +1,31 @@
+package cga.exercise.components.camera
+
+import cga.exercise.components.geometry.Transformable
+import cga.exercise.components.shader.ShaderProgram
+import org.joml.Math
+import org.joml.Matrix4f
+
+class TronCamera(
+    private val fieldOfView: Float = Math.toRadians(90f),
+    private val aspectRatio: Float = 16f / 9f,
+    private val nearPlane: Float = 0.1f,
+    private val farPlane: Float = 100f
+) : Transformable(), ICamera {
+
+    override fun getCalculateViewMatrix(): Matrix4f {
+        return Matrix4f().lookAt(
+            getWorldPosition(),
+            getWorldPosition().sub(getWorldZAxis()),
+            getWorldYAxis()
+        )
+    }
+
+    override fun getCalculateProjectionMatrix(): Matrix4f {
+        return Matrix4f().perspective(fieldOfView, aspectRatio, nearPlane, farPlane)
+    }
+
+    override fun bind(shader: ShaderProgram) {
+        shader.setUniform("view_matrix", getCalculateViewMatrix(), false)
+        shader.setUniform("proj_matrix", getCalculateProjectionMatrix(), false)
+    }
+}

@@ -119,6 +119,10 @@ internal class DirectionJudge(
             val why = "as if turned by $turn radians instead of degrees"
             book.measured(Check.SPOT_DIRECTION, 1.0, "$what: it points $fault, $why; wanted: forwards and down.")
             book.found(Mistake.UNKNOWN, child.residual, 1.0, spot.name)
+        } else if (fault != null && abs(world.y) > STEEP) {
+            val along = if (world.y < 0) "down" else "up"
+            book.measured(Check.SPOT_DIRECTION, 1.0, "$what: it points straight $along; wanted: forwards and down.")
+            book.found(Mistake.UNKNOWN, child.residual, 1.0, spot.name)
         } else if (fault != null) {
             book.measured(Check.SPOT_DIRECTION, 1.0, "$what: it points $fault; wanted: forwards and down.")
             book.found(Mistake.SPOT_DIRECTION_SIGN, child.residual, 1.0, "${spot.name} points $fault")
@@ -167,6 +171,9 @@ internal class DirectionJudge(
         /** Degrees; one of them is met by chance by one direction in five hundred. */
         val TILTS = (1..20) + listOf(25, 30, 35, 40, 45, 60, 90)
         const val TURNED = 1e-4
+
+        /** Sine of the angle to the ground: more than 64°. */
+        const val STEEP = 0.9
 
         /** Cosine. */
         const val BEHIND = 0.02

@@ -2,8 +2,11 @@ package cga.grading.scene
 
 import cga.grading.capture.CapturedEvent
 import cga.grading.capture.EventKind
+import cga.grading.capture.Moment
 import cga.grading.findings.Check
 import cga.grading.findings.Mistake
+import org.joml.Matrix4d
+import org.joml.Vector3d
 import kotlin.math.abs
 import kotlin.math.max
 
@@ -50,7 +53,7 @@ internal class PositionJudge(
         } else if (place == Place.SCALED_CHILD || place == Place.SCALED_STATIC) {
             book.spoilt(Check.POINT_LIGHT_POSITION, placed.wrong, "${light.name}: ${place.text}; wanted: view · world position.")
             book.found(Mistake.VIEW_SCALED, placed.fit, placed.wrong, light.name)
-        } else if (place == null && light in roles.further) {
+        } else if (place == null && (light in roles.further || movesByItself(light))) {
             // A light that flies about by itself is allowed.
             book.note("${light.name} neither stays nor moves with the motorcycle.")
         } else if (place == null) {
@@ -66,6 +69,15 @@ internal class PositionJudge(
         } else {
             book.spoilt(Check.POINT_LIGHT_POSITION, placed.fit, "${light.name}: ${place.text}.")
         }
+    }
+
+    /** Whether [light] moves while the motorcycle stands: it hovers or circles, about a place of its own. */
+    private fun movesByItself(light: LightTrack): Boolean {
+        val standing = timeline.laterShots.filter { it.moment in Moment.SECOND..Moment.TIME_4 }
+        val both = standing.mapNotNull { shot -> light.at(shot.moment)?.let { shot to shot.world(it) } }
+        val inWorld = both.map { it.second }
+        val onMotorcycle = both.map { (shot, place) -> Matrix4d(shot.motorcycleFrame).invert().transformPosition(place, Vector3d()) }
+        return inWorld.size > 2 && listOf(inWorld, onMotorcycle).all { places -> places.maxOf { it.distance(places[0]) } > MOVED }
     }
 
     private fun LightTrack.isRider() = this === roles.own || this === roles.spot
@@ -190,5 +202,6 @@ internal class PositionJudge(
         const val AT_CAMERA = 1e-3
         const val AT_ORIGIN = 1e-3
         const val BESIDE = 0.6
+        const val MOVED = 0.02
     }
 }

@@ -22,6 +22,7 @@ internal enum class Peak {
  * @param placement what points are told from.
  * @param unclamped whether sides that look away receive negative light; then the range is twice the strength.
  * @param facing what normals are turned to, where the light's directions come from elsewhere.
+ * @param law what the light fades with, where that is to be left out: with the distance from its place `from`.
  */
 internal class Amplitudes(
     private val probe: LightProbe,
@@ -30,9 +31,13 @@ internal class Amplitudes(
     val unclamped: Boolean,
     private val peak: Peak = Peak.DIFFUSE,
     private val facing: Placement = placement,
+    private val law: AttenuationFit? = null,
 ) {
     /** The same light, told from [view] in view space. */
     fun toldFrom(view: Vector3dc): Amplitudes = Amplitudes(probe, placement.movedTo(view), texels, unclamped, peak, facing)
+
+    /** The same light as if it did not fade by [law]. */
+    fun without(law: AttenuationFit): Amplitudes = Amplitudes(probe, placement, texels, unclamped, peak, facing, law)
 
     /** I·F at [points] in view space. */
     fun at(points: List<Vector3dc>): DoubleArray {
@@ -45,8 +50,10 @@ internal class Amplitudes(
             }
         val shades = probe.shade(samples, texels)
         val range = if (unclamped) 2.0 else 1.0
-        return DoubleArray(points.size) { (shades[2 * it] - shades[2 * it + 1]) / range }
+        return DoubleArray(points.size) { (shades[2 * it] - shades[2 * it + 1]) / range / faded(points[it]) }
     }
+
+    private fun faded(point: Vector3dc) = law?.from?.let { law.factor(it.distance(point)) } ?: 1.0
 
     /** I·F at the distance [d] from the light along [direction], in the placement's own space. */
     fun along(

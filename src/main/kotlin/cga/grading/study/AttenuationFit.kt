@@ -73,6 +73,15 @@ internal class AttenuationFit(
             val random = Random(13)
             val points =
                 List(4 * STEPS) { amplitudes.placement.at(Directions.random(random).mul(exp(random.nextDouble(ln(NEAR), ln(FAR))))) }
+            return fromElsewhere(amplitudes, candidates, points)
+        }
+
+        /** The same by what arrives at [points], in view space. */
+        fun fromElsewhere(
+            amplitudes: Amplitudes,
+            candidates: List<Vector3dc>,
+            points: List<Vector3d>,
+        ): AttenuationFit? {
             val strengths = amplitudes.at(points)
             val fits = candidates.map { c -> of(DoubleArray(points.size) { points[it].distance(c) }, strengths, growing = false, c) }
             return fits.minByOrNull { it.error }?.takeIf { it.error < ACCEPTED }

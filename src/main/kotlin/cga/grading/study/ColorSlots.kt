@@ -28,22 +28,27 @@ internal class ColorSlots(
     /** These with some of the lights found to be [suns]. */
     fun withSuns(suns: Set<ActiveUniform>): ColorSlots = ColorSlots(lights, flats, factors, silent, isSumClamped, suns)
 
+    /** These with [more] flats. */
+    fun withFlats(more: List<ActiveUniform>): ColorSlots =
+        ColorSlots(lights, (flats + more).distinct(), factors, silent - more.toSet(), isSumClamped, suns)
+
     companion object {
         /** Textures are this dark while looking, so that a colour clamped at 1 by the shader stays below. */
         const val DARK = 1.0 / 64
 
         /**
          * Sorts the vector uniforms of [box] by what they do to the samples [first], and those that do nothing there to [more]. Where
-         * [isSumClamped], a colour may do something else to less than half of them.
+         * [isSumClamped], a colour may do something else to less than half of them. The textures of the samplers [blank] are black.
          */
         fun of(
             box: BlackBox,
             first: List<Sample>,
             more: List<Sample>,
             isSumClamped: Boolean = false,
+            blank: Set<String> = emptySet(),
         ): ColorSlots {
             val odd = if (isSumClamped) 0.5 else 0.0
-            val base = Setting().withTexels(box.program.samplers.associate { it.name to DARK })
+            val base = Setting().withTexels(box.program.samplers.associate { it.name to if (it.name in blank) 0.0 else DARK })
             val looks = box.program.uniforms.filter { !it.isSampler && it.type in VECTORS }.map { look(box, first, base, it, odd) }
             val all = looks.map { if (it.isSilent) look(box, more, base, it.slot, odd) else it }
             val samples = if (all.indices.any { all[it].isColor && looks[it].isSilent }) first + more else first

@@ -12,6 +12,11 @@ internal enum class EmissionForm {
     /** The colour is added to the texture. */
     ADDED,
     UNTINTED,
+
+    /** The texture is multiplied with another one. */
+    PRODUCT,
+
+    /** The texture is multiplied with the light. */
     MULTIPLIED,
     MISSING,
 }
@@ -60,7 +65,11 @@ internal class EmissionStudy(
             }
             if (roles?.multiplied == true) return EmissionStudy(EmissionForm.MULTIPLIED, null, ambient)
             val shown = shown(sampler, dark)
-            if (!(shown > 1e-4)) return EmissionStudy(EmissionForm.MISSING, null, ambient)
+            if (!(shown > 1e-4)) {
+                val product = product(box, point, dark) ?: return EmissionStudy(EmissionForm.MISSING, null, ambient)
+                val tint = candidates.firstOrNull { product(box, point, dark.withColors(listOf(it), 0.0)) == null }
+                return EmissionStudy(EmissionForm.PRODUCT, tint, ambient, product)
+            }
             val tint = candidates.firstOrNull { shown(sampler, dark.withColors(listOf(it), 0.0)) < 1e-4 * shown }
             val isCommon = tint in colors.factors && tint?.name !in box.program.constants
             val added = if (tint == null) added(box, point, dark, colors.flats) else null
@@ -72,6 +81,19 @@ internal class EmissionStudy(
                     else -> EmissionForm.UNTINTED
                 }
             return EmissionStudy(form, tint ?: added, ambient, shown)
+        }
+
+        /** What shows of two textures together and of none by itself; null where nothing does. */
+        private fun product(
+            box: BlackBox,
+            point: List<Sample>,
+            dark: Setting,
+        ): Double? {
+            fun shown(names: List<String>) = abs(box.shade(point, dark.withTexels(names.associateWith { 1.0 }))[0])
+            val names = box.program.samplers.map { it.name }
+            val alone = names.maxOfOrNull { shown(listOf(it)) } ?: return null
+            val pairs = names.flatMap { a -> names.filter { it > a }.map { b -> shown(listOf(a, b)) } }
+            return pairs.maxOrNull()?.minus(alone)?.takeIf { it > 1e-4 }
         }
 
         /** Relative: floats are a hundred times as exact. */

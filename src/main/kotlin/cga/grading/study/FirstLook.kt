@@ -8,12 +8,14 @@ import org.joml.Vector3d
  * @param box with the gamma undone, and where nothing would shine with values for uniforms that were never sent.
  * @param search that finds the points where the lights of [colors] shine.
  * @param deadly uniforms that are 0 in the draw and leave no number of the picture, whatever else is sent: something is divided by them.
+ * @param afterGamma the sampler of a texture that is added when the lights have been encoded already; null where there is none.
  */
 internal class FirstLook private constructor(
     val box: BlackBox,
     val colors: ColorSlots,
     val search: LightSearch,
     val deadly: Set<String> = emptySet(),
+    val afterGamma: String? = null,
 ) {
     companion object {
         /** Looks at [box] on and around [surface], points in view space. */
@@ -32,6 +34,7 @@ internal class FirstLook private constructor(
                 val colors = ColorSlots.of(decoded, few, many)
                 if (colors.lights.isNotEmpty()) return FirstLook(decoded, colors, LightSearch(decoded, surface))
             }
+            besideGamma(box, surface, few, many)?.let { return it }
             val clamped = ColorSlots.of(box, few, many, isSumClamped = true)
             if (clamped.lights.isNotEmpty() && !isDead) return FirstLook(box, clamped, search)
             // One light that divides by what was never sent can make all of the picture NaN.
@@ -40,6 +43,25 @@ internal class FirstLook private constructor(
             val colors = ColorSlots.of(awake, few, many)
             if (colors.lights.isEmpty()) return wider(plain, surface)
             return FirstLook(awake, colors, LightSearch(awake, surface), deadly(box, awake, zeros, few))
+        }
+
+        /** A look at lights that are encoded, with a texture that is added to them afterwards; null where that is not so. */
+        private fun besideGamma(
+            box: BlackBox,
+            surface: List<Vector3d>,
+            few: List<Sample>,
+            many: List<Sample>,
+        ): FirstLook? {
+            val samplers = box.program.samplers.map { it.name }
+            if (samplers.size < 2) return null
+            for (sampler in samplers) {
+                val decoded = box.decodedBy(USUAL)
+                val colors = ColorSlots.of(decoded, few, many, blank = setOf(sampler))
+                if (colors.lights.isEmpty()) continue
+                val tints = ColorSlots.of(box, few, many, blank = samplers.toSet() - sampler).flats
+                return FirstLook(decoded, colors.withFlats(tints), LightSearch(decoded, surface), afterGamma = sampler)
+            }
+            return null
         }
 
         /** [plain], or where colours are sent that show nowhere a look at the places that wrong matrices would bring lights to. */
@@ -75,6 +97,7 @@ internal class FirstLook private constructor(
             samples: List<Sample>,
         ) = box.shade(samples, Setting()).let { all -> all.count { it.isFinite() } < all.size / 2 }
 
-        private val EXPONENTS = listOf(2.2, 1 / 2.2, 2.0, 0.5, 1.8, 2.4)
+        private const val USUAL = 2.2
+        private val EXPONENTS = listOf(USUAL, 1 / USUAL, 2.0, 0.5, 1.8, 2.4)
     }
 }

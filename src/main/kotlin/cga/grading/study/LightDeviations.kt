@@ -92,6 +92,8 @@ internal object LightDeviations {
         study: ProgramStudy,
     ) = when {
         mistake != Mistake.UNKNOWN || light.isFromEye -> mistake.check
+        // The formula is right, and what is put into it another light's.
+        light.cone != null && study.distanceOf(light) != null -> Check.ATTENUATION_SPOT
         // Two and more are right: then the formula is, and these are further lights.
         isStrange(light) && study.shining.count { !isStrange(it) } >= 2 -> Check.MORE_LIGHTS_SHADING
         else -> Check.ATTENUATION_FORM
@@ -122,6 +124,7 @@ internal object LightDeviations {
         val fit = light.attenuation ?: return null
         return when {
             light.otherDirection && light.isFromEye -> Mistake.UNKNOWN to fit.error
+            isAcrossSpaces(light, study) -> Mistake.TO_LIGHT_WORLD to fit.error
             study.distanceOf(light) != null -> Mistake.UNKNOWN to fit.error
             light.otherDirection || study.directionOf(light) != null -> Mistake.LATER_LIGHTS_FIRST_COSINE to fit.error
             fit.error > AttenuationFit.ACCEPTED || fit.isTwice -> Mistake.UNKNOWN to fit.error
@@ -132,6 +135,20 @@ internal object LightDeviations {
             else -> null
         }
     }
+
+    /** Whether [light] fades with the distance from its place in the world to a point in view space. */
+    private fun isAcrossSpaces(
+        light: LightModel,
+        study: ProgramStudy,
+    ): Boolean {
+        val from = light.attenuation?.from ?: return false
+        val place = light.placement?.view ?: return false
+        val world = study.box.spaces.view?.back(place) ?: return false
+        return from.distance(world) < 1e-3 * (1 + world.length()) && from.distance(place) > APART
+    }
+
+    /** View-space units. */
+    private const val APART = 1e-2
 
     /** What floats and a triangle's middle leave is below 1e-4; a wrong vector changes a tenth and more. */
     private const val INTERPOLATED = 0.01

@@ -101,12 +101,15 @@ internal class LightStudy(
         val axes = search.axes.flatMap { listOf(it, Vector3d(it).negate()) }.map { placement.directionFromView(it).normalize() }
         val seen = ConeFit.of(amplitudes, lit, axes)
         val straight = AttenuationFit.of(amplitudes, seen?.brightest)
-        val isOdd = straight.error > AttenuationFit.ACCEPTED
+        // Towards another place that distances are measured from, a law with negative terms fits.
+        val isOdd = straight.error > AttenuationFit.ACCEPTED || straight.k.run { minOf(x(), y(), z()) } < 0
         val elsewhere = if (isOdd) AttenuationFit.fromElsewhere(amplitudes, search.hints) else null
         val beam = if (isOdd && elsewhere == null) StrayBeam.of(amplitudes, lit, axes, search.hints) else null
-        val attenuation = beam?.attenuation ?: elsewhere ?: straight
+        val isUneven = seen != null && seen.residual > UNEVEN && elsewhere == null && beam == null
+        val stray = if (isUneven) StrayDistance.of(amplitudes, seen, lit, axes, search.hints) else null
+        val attenuation = beam?.attenuation ?: elsewhere ?: stray?.attenuation ?: straight
         // Around a place that distances are not measured from, a light without a cone is uneven, too.
-        val cone = if (elsewhere == null) beam?.cone ?: seen else null
+        val cone = if (elsewhere == null) beam?.cone ?: stray?.cone ?: seen else null
         val inside = inside(beam?.amplitudes?.placement ?: placement, cone)
         return LightModel(
             probe = probe,
@@ -154,5 +157,8 @@ internal class LightStudy(
         const val APART = 1e-2
         const val INSIDE = 24
         const val SUSPECT = 5e-3
+
+        /** Relative to full light: what no shape of a cone leaves. */
+        const val UNEVEN = 1e-2
     }
 }

@@ -12,15 +12,22 @@ internal object MaterialDeviations {
         fun add(
             mistake: Mistake,
             check: Check = mistake.check,
+            why: String = "",
         ) {
-            found += Deviation(mistake, "", 0.0, 1.0, check = check)
+            found += Deviation(mistake, "", 0.0, 1.0, check = check, why = why)
         }
         if (roles.isShared) add(Mistake.UNKNOWN, Check.MATERIAL)
         if (roles.diffuse == null && roles.specular != null) add(Mistake.DIFFUSE_MISSING)
         if (roles.specular == null && roles.untextured < 1e-3) add(Mistake.SPECULAR_MISSING)
-        if (roles.peak != Peak.POWER && isSwapped(roles, study.samplers.files, study.samplers.there)) add(Mistake.MAPS_SWAPPED)
-        if (isAtWrongUnit(study, roles)) add(Mistake.SAMPLER_UNIT)
+        val shared = sharedUnits(study)
+        when {
+            shared.any { it != 0f } -> add(Mistake.UNKNOWN, Check.MATERIAL, "two samplers read one texture unit")
+            // What it reads in the place of its own map is another's.
+            isAtWrongUnit(study, roles) -> add(Mistake.SAMPLER_UNIT)
+            roles.peak != Peak.POWER && isSwapped(roles, study.samplers.files, study.samplers.there) -> add(Mistake.MAPS_SWAPPED)
+        }
         if (study.exponent < 1 || roles.powers.values.any { it < ENCODED }) add(Mistake.GAMMA_DIRECTION)
+        if (roles.powers.values.any { it > DECODED_TWICE }) add(Mistake.UNKNOWN, Check.MATERIAL, "a texture is decoded twice")
         return found
     }
 
@@ -29,9 +36,14 @@ internal object MaterialDeviations {
         study: ProgramStudy,
         roles: TextureRoles,
     ): Boolean {
-        val units = study.box.program.samplers.mapNotNull { study.box.values[it.name]?.firstOrNull() }
         val used = listOf(roles.emission, roles.diffuse, roles.specular)
-        return units.size != units.distinct().size || used.any { it in study.samplers.unbound }
+        return sharedUnits(study).isNotEmpty() || used.any { it in study.samplers.unbound }
+    }
+
+    /** The texture units that more than one sampler reads. */
+    private fun sharedUnits(study: ProgramStudy): Set<Float> {
+        val units = study.box.program.samplers.mapNotNull { study.box.values[it.name]?.firstOrNull() }
+        return units.groupBy { it }.filterValues { it.size > 1 }.keys
     }
 
     /**
@@ -68,6 +80,9 @@ internal object MaterialDeviations {
 
     // A texture is taken as it is (1) or decoded (2.2); what makes it brighter encodes it once more.
     private const val ENCODED = 0.8
+
+    /** Halfway from one decoding to two. */
+    private const val DECODED_TWICE = 3.3
 }
 
 /** What names of textures say about their use. */

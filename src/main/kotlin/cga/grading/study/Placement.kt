@@ -20,6 +20,9 @@ internal enum class NormalPath(val space: Space?) {
     MODEL(Space.MODEL),
     VIEW_MATRIX_ONLY(null),
     INVERSE(null),
+
+    /** Model and view in the wrong order: the same until the object turns. */
+    MODEL_AFTER_VIEW(null),
 }
 
 /**
@@ -154,6 +157,7 @@ internal fun Spaces.normals(path: NormalPath): Matrix3d? =
         NormalPath.MODEL -> Matrix3d()
         NormalPath.VIEW_MATRIX_ONLY -> view?.rotationPart()
         NormalPath.INVERSE -> modelView.rotationPart().transpose()
+        NormalPath.MODEL_AFTER_VIEW -> view?.let { view -> model?.rotationPart()?.mul(view.rotationPart()) }
     }
 
 internal val Spaces.rotation: Matrix3dc get() = modelView.rotationPart()

@@ -28,7 +28,7 @@ internal object ProgramDeviations {
         val ofLights = study.shining.flatMap { LightDeviations.of(it, study) + cone(it, study, sent) }
         // Clamped is only the sum: what each light takes away is missing from the others.
         val sum = if (study.colors.isSumClamped) listOf(Deviation(Mistake.CLAMP_MISSING, "", 0.0, 1.0)) else emptyList()
-        return ofLights + sum + silent(study) + MaterialDeviations.of(study) + emission(study) + view(study)
+        return ofLights + sum + silent(study) + MaterialDeviations.of(study) + emission(study) + view(study) + mesh(study)
     }
 
     private fun cone(
@@ -66,7 +66,12 @@ internal object ProgramDeviations {
     private fun emission(study: ProgramStudy): List<Deviation> =
         when (study.emission.form) {
             EmissionForm.TINTED ->
-                if (isRepeated(study)) listOf(Deviation(Mistake.UNKNOWN, "", 0.0, 1.0, check = Check.EMISSION)) else emptyList()
+                when {
+                    !study.isGlowEncoded -> listOf(Deviation(Mistake.UNKNOWN, "", 0.0, 1.0, check = Check.EMISSION, why = AFTER_GAMMA))
+                    isRepeated(study) -> listOf(Deviation(Mistake.UNKNOWN, "", 0.0, 1.0, check = Check.EMISSION))
+                    else -> emptyList()
+                }
+            EmissionForm.PRODUCT -> listOf(Deviation(Mistake.UNKNOWN, "", 0.0, 1.0, check = Check.EMISSION, why = PRODUCT))
             EmissionForm.ALL_TINTED -> listOf(Deviation(Mistake.COLOR_ON_EVERYTHING, "", 0.0, 1.0))
             EmissionForm.ADDED -> listOf(Deviation(Mistake.EMISSION_COLOR_ADDED, "", 0.0, 1.0))
             EmissionForm.UNTINTED -> listOf(Deviation(Mistake.EMISSION_COLOR_IGNORED, "", 0.0, 1.0))
@@ -76,6 +81,13 @@ internal object ProgramDeviations {
 
     /** Whether the emission comes in with every light, and not once. */
     fun isRepeated(study: ProgramStudy): Boolean = study.emission.isForEach(study.lights.size, study.lights.count { it.cone == null })
+
+    private fun mesh(study: ProgramStudy): List<Deviation> =
+        if (study.isOverlapping) listOf(Deviation(Mistake.UNKNOWN, "", 0.0, 1.0, check = Check.NORMALS, why = OVERLAP)) else emptyList()
+
+    private const val OVERLAP = "two vertex attributes are read from the same bytes"
+    private const val PRODUCT = "the emission is multiplied with another texture"
+    private const val AFTER_GAMMA = "the emission is added when the gamma has been applied already"
 
     private fun view(study: ProgramStudy): List<Deviation> {
         val scale = study.box.spaces.view?.scale() ?: return emptyList()

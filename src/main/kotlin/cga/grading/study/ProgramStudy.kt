@@ -17,6 +17,8 @@ import kotlin.random.Random
  * @param hidesLights whether something shines that none of the [colors] is the colour of.
  * @param samplers what they read, over all draws.
  * @param deadly uniforms that were never sent and leave no number of the picture.
+ * @param isOverlapping whether two vertex attributes of a mesh are in the same bytes.
+ * @param isGlowEncoded whether what glows is encoded as the lights are, and not added to them afterwards.
  * @param surface points on what was drawn and near it, in view space.
  * @param elsewhere another object's draw, if there is one.
  * @param lights that shine somewhere; [silent] that do not and could.
@@ -38,6 +40,8 @@ internal class ProgramStudy(
     val samplers: SamplerFacts = SamplerFacts(),
     private val sent: Map<String, List<FloatArray>> = emptyMap(),
     val deadly: Set<String> = emptySet(),
+    val isGlowEncoded: Boolean = true,
+    val isOverlapping: Boolean = false,
     val surface: List<Vector3d> = emptyList(),
     val elsewhere: BlackBox? = null,
 ) {
@@ -109,7 +113,8 @@ internal class ProgramStudy(
                 colors.lights.isNotEmpty() && isAwake(box, decoded),
                 ConelessLights.of(decoded, colors, surface, roles, lights),
                 HiddenLights.areThere(decoded, colors, samples), SamplerFacts.of(capture, number),
-                sentValues(capture, number, draw), look.deadly, surface,
+                sentValues(capture, number, draw), look.deadly, look.afterGamma == null,
+                AttributeOverlap.isThere(capture, number), surface,
                 Representative.other(capture, number, formula, decoded),
             )
         }

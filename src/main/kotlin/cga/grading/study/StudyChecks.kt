@@ -91,7 +91,11 @@ internal object StudyChecks {
     }
 
     private fun text(unnamed: Deviation) =
-        if (unnamed.why.isEmpty()) "${unnamed.mistake.id} ${unnamed.light}".trim() else "${unnamed.light}: ${unnamed.why}"
+        if (unnamed.why.isEmpty()) {
+            "${unnamed.mistake.id} ${unnamed.light}".trim()
+        } else {
+            listOf(unnamed.light, unnamed.why).filter { it.isNotEmpty() }.joinToString(": ")
+        }
 
     private fun interpolation(light: LightModel): List<Double> =
         listOfNotNull(light.diffuseInterpolation, light.specularInterpolation).flatMap { listOf(it.vectors, it.normals) }

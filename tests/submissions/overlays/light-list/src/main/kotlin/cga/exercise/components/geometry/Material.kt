@@ -1,0 +1,24 @@
+package cga.exercise.components.geometry
+
+import cga.exercise.components.shader.ShaderProgram
+import cga.exercise.components.texture.Texture2D
+import org.joml.Vector2f
+
+class Material(
+    private val diff: Texture2D,
+    private val emit: Texture2D,
+    private val specular: Texture2D,
+    private val shininess: Float = 50.0f,
+    private val tcMultiplier: Vector2f = Vector2f(1.0f)
+) {
+    fun bind(shaderProgram: ShaderProgram) {
+        shaderProgram.setUniform("material.diffuse", 0)
+        shaderProgram.setUniform("material.specular", 1)
+        shaderProgram.setUniform("material.emissive", 2)
+        shaderProgram.setUniform("material.shininess", shininess)
+        shaderProgram.setUniform("tcMultiplier", tcMultiplier)
+        diff.bind(0)
+        specular.bind(1)
+        emit.bind(2)
+    }
+}

@@ -2,6 +2,7 @@ package cga.grading.scene
 
 import cga.exercise.components.geometry.Transformable
 import cga.grading.capture.Key
+import cga.grading.capture.Moment
 import cga.grading.findings.Check
 import org.joml.Matrix4d
 import org.joml.Matrix4f
@@ -19,6 +20,18 @@ class FreedomsTest {
     @Test
     fun `random places, colours, cones, speeds, scales and pitches`() {
         repeat(40) { seed -> RandomRig(Random(seed)).verdict().assertRight() }
+    }
+
+    @Test
+    fun `a light that hovers over the motorcycle`() {
+        val rig = object : Rig() {
+            override fun lights(moment: Moment, t: Double, view: Matrix4d): List<ObservedLight> =
+                super.lights(moment, t, view).map {
+                    val lift = view.transformDirection(Vector3d(0.0, if (it.name == own.name) 0.4 * sin(2 * t) else 0.0, 0.0))
+                    ObservedLight(it.name, Vector3d(it.position).add(lift), it.color, it.k, it.spot)
+                }
+        }
+        rig.verdict().assertRight()
     }
 
     private class RandomRig(private val random: Random) : Rig(random.vector(1.0, 0.3..3.0)) {

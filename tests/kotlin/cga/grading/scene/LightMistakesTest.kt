@@ -14,6 +14,7 @@ import org.junit.jupiter.api.Assertions.assertEquals
 import org.junit.jupiter.api.Assertions.assertNotNull
 import org.junit.jupiter.api.Assertions.assertTrue
 import org.junit.jupiter.api.Test
+import kotlin.math.pow
 
 /** What can be wrong with the places of the lights. */
 class LightMistakesTest {
@@ -386,6 +387,21 @@ class LightMistakesTest {
         with(red(9f), blue(4f)).assertRight()
         val samePlace = with(red(9f), blue(9f))
         assertEquals(0.5, samePlace[Check.MORE_LIGHTS]?.error, samePlace.text())
+    }
+
+    @Test
+    fun `further lights that lose a share of their light with each picture are none in the end`() {
+        var pictures = 0
+        val rig = object : Rig() {
+            override fun lights(moment: Moment, t: Double, view: Matrix4d): List<ObservedLight> {
+                val left = 0.95.pow(pictures++)
+                return super.lights(moment, t, view).map {
+                    val color = if (it.name in corners.map(Lamp::name)) Vector3d(it.color).mul(left) else it.color
+                    ObservedLight(it.name, it.position, color, it.k, it.spot)
+                }
+            }
+        }
+        rig.verdict().assertMistake(Mistake.MORE_LIGHTS_MISSING, least = 1.0)
     }
 
     /** Of a scene whose light positions in view space are what [place] says. */

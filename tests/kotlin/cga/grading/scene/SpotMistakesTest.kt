@@ -73,6 +73,9 @@ class SpotMistakesTest {
         verdict.assertMistake(Mistake.UNKNOWN, Check.SPOT_DIRECTION)
         val text = verdict.checks.single { it.check == Check.SPOT_DIRECTION }.text
         assertTrue("backwards and up, as if turned by -10 radians instead of degrees" in text, text)
+        val down = Rig().apply { head.body.rotateLocal(Rig.radians(8.0 - 95.0), 0f, 0f) }.verdict()
+        down.assertMistake(Mistake.UNKNOWN, Check.SPOT_DIRECTION)
+        assertTrue("it points straight down" in down.checks.single { it.check == Check.SPOT_DIRECTION }.text)
         // Turned round by any other angle it points the wrong way, and that is all there is to say.
         val other = Rig().apply { head.body.rotateLocal(2.3f, 0f, 0f) }
         other.verdict().assertMistake(Mistake.SPOT_DIRECTION_SIGN)

@@ -91,6 +91,40 @@ class MistakesTest {
                 "vec4(result, 1.0)" to "vec4(mix(vec3(0.4), result, exp(-0.05 * length(vertexData.toCamera))), 1.0)",
             ),
             fragment(
+                Mistake.UNKNOWN,
+                "the emission times the diffuse texture",
+                "result = emission;" to "result = emission * diffuse;",
+            ),
+            fragment(
+                Mistake.UNKNOWN,
+                "the emission added after the gamma",
+                "result = emission;" to "result = vec3(0.0);",
+                "vec4(result, 1.0)" to "vec4(pow(result, vec3(1.0 / 2.2)) + emission, 1.0)",
+            ),
+            fragment(
+                Mistake.UNKNOWN,
+                "a texture decoded twice, under a gamma",
+                "diffuse * cosAlpha" to "pow(diffuse, vec3(4.84)) * cosAlpha",
+                "vec4(result, 1.0)" to "vec4(pow(result, vec3(1.0 / 2.2)), 1.0)",
+            ),
+            fragment(
+                Mistake.UNKNOWN,
+                "the headlight with the point light's factor",
+                "attenuate(ds, spotLightAttenuation)" to "attenuate(dp, pointLightAttenuation)",
+            ),
+            fragment(
+                Mistake.TO_LIGHT_WORLD,
+                "the distance from a place in the world to a point in view space",
+                "attenuate(dp," to "attenuate(distance(pointLightPos, -vertexData.toCamera),",
+                "out vec4" to "uniform vec3 pointLightPos; out vec4",
+            ),
+            vertex(
+                Mistake.NORMAL_MATRIX,
+                "normals by model and view in the wrong order",
+                "inverse(transpose(modelView))",
+                "inverse(transpose(model_matrix * view_matrix))",
+            ),
+            fragment(
                 Mistake.CONE_CLAMP_MISSING,
                 "a cone that takes light away, under a gamma",
                 "clamp((theta - outer) / (inner - outer), 0.0, 1.0)" to "min((theta - outer) / (inner - outer), 1.0)",

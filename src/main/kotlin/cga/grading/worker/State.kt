@@ -9,7 +9,7 @@ import org.lwjgl.system.MemoryStack
 internal object State {
     fun read(): DrawState =
         DrawState(
-            viewport = integers(GL_VIEWPORT),
+            viewport = integers(GL_VIEWPORT, BOX),
             depthTest = glIsEnabled(GL_DEPTH_TEST),
             depthFunc = glGetInteger(GL_DEPTH_FUNC),
             depthMask = glGetBoolean(GL_DEPTH_WRITEMASK),
@@ -19,7 +19,7 @@ internal object State {
             blend = glIsEnabled(GL_BLEND),
             blendSource = glGetInteger(GL_BLEND_SRC_RGB),
             blendDestination = glGetInteger(GL_BLEND_DST_RGB),
-            polygonMode = glGetInteger(GL_POLYGON_MODE),
+            polygonMode = integers(GL_POLYGON_MODE, BOTH_SIDES)[0],
             framebufferSrgb = glIsEnabled(GL_FRAMEBUFFER_SRGB),
             writes = writes(),
         )
@@ -39,7 +39,7 @@ internal object State {
             val mask = stack.malloc(4)
             glGetBooleanv(GL_COLOR_WRITEMASK, mask)
             val channels = (0 until 4).sumOf { if (mask[it] == 0.toByte()) 0 else 1 shl it }
-            WriteMask(if (glIsEnabled(GL_SCISSOR_TEST)) integers(GL_SCISSOR_BOX) else null, channels)
+            WriteMask(if (glIsEnabled(GL_SCISSOR_TEST)) integers(GL_SCISSOR_BOX, BOX) else null, channels)
         }
 
     private fun hasUnusualBlending() =
@@ -48,12 +48,20 @@ internal object State {
             glGetInteger(GL_BLEND_DST_ALPHA) != glGetInteger(GL_BLEND_DST_RGB) ||
             listOf(glGetInteger(GL_BLEND_SRC_RGB), glGetInteger(GL_BLEND_DST_RGB)).any { it >= GL_CONSTANT_COLOR }
 
-    private fun integers(name: Int): List<Int> =
+    private fun integers(
+        name: Int,
+        count: Int,
+    ): List<Int> =
         MemoryStack.stackPush().use { stack ->
-            val four = stack.mallocInt(4)
-            glGetIntegerv(name, four)
-            List(4) { four[it] }
+            val integers = stack.mallocInt(count)
+            glGetIntegerv(name, integers)
+            List(count) { integers[it] }
         }
+
+    private const val BOX = 4
+
+    /** Drivers answer with one mode for each side, whatever OpenGL 3.3 says. */
+    private const val BOTH_SIDES = 2
 
     private val SWITCHES =
         mapOf(

@@ -297,7 +297,7 @@ internal open class PostProcessor(private val mirror: Boolean = false) : Painter
         glClear(GL_COLOR_BUFFER_BIT or GL_DEPTH_BUFFER_BIT)
         glEnable(GL_DEPTH_TEST)
         color(1f, 0.5f, 0f)
-        glDrawArrays(GL_TRIANGLES, 0, 3)
+        repeat(if (mirror) 1 else 2) { glDrawArrays(GL_TRIANGLES, 0, 3) }
         glBindFramebuffer(GL_FRAMEBUFFER, 0)
         glViewport(0, 0, WIDTH, HEIGHT)
         if (mirror) glDrawArrays(GL_TRIANGLES, 0, 3)

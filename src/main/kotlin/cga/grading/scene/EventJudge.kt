@@ -140,7 +140,7 @@ internal class EventJudge(
     /** Whether what [calls] set is 0 for ever. */
     private fun areLost(calls: List<String>): Boolean {
         // A colour that one program never gets may arrive at another under the same name.
-        if (ColorJudge.COLOR in book.missing && calls.any { it.startsWith("glUniform3f") }) return true
+        if (ColorJudge.COLOR in book.missing && calls.any(COLOR_CALL::containsMatchIn)) return true
         val waiting = (program.unset ?: return true) + program.idle
         return calls.any { call -> ' ' !in call || waiting.any { it.removeSuffix("[0]") == call.substringAfter(' ').removeSuffix("[0]") } }
     }
@@ -182,6 +182,7 @@ internal class EventJudge(
         const val MOST_NAMES = 5
         const val LONGEST_NAME = 200
         const val TYPO = 2
+        val COLOR_CALL = Regex("^glUniform3f.*(colou?r|farbe|emi|tint|glow)", RegexOption.IGNORE_CASE)
         val LIGHT_WORDS =
             Regex("light|licht|lamp|point|punkt|spot|colou?r|farbe|pos|dir|att|cone|angle|winkel|corner", RegexOption.IGNORE_CASE)
     }

@@ -54,8 +54,8 @@ internal class FirstLook private constructor(
         ): FirstLook? {
             val samplers = box.program.samplers.map { it.name }
             if (samplers.size < 2) return null
+            val decoded = box.decodedBy(USUAL)
             for (sampler in samplers) {
-                val decoded = box.decodedBy(USUAL)
                 val colors = ColorSlots.of(decoded, few, many, blank = setOf(sampler))
                 if (colors.lights.isEmpty()) continue
                 val tints = ColorSlots.of(box, few, many, blank = samplers.toSet() - sampler).flats

@@ -147,11 +147,11 @@ internal object LightDeviations {
         return from.distance(world) < 1e-3 * (1 + world.length()) && from.distance(place) > APART
     }
 
-    /** View-space units. */
-    private const val APART = 1e-2
-
     /** What floats and a triangle's middle leave is below 1e-4; a wrong vector changes a tenth and more. */
     private const val INTERPOLATED = 0.01
     private const val TOLERATED = 5e-3
     private const val LAWLESS = 0.5
+
+    /** View-space units. */
+    private const val APART = 1e-2
 }

@@ -85,10 +85,6 @@ internal object ProgramDeviations {
     private fun mesh(study: ProgramStudy): List<Deviation> =
         if (study.isOverlapping) listOf(Deviation(Mistake.UNKNOWN, "", 0.0, 1.0, check = Check.NORMALS, why = OVERLAP)) else emptyList()
 
-    private const val OVERLAP = "two vertex attributes are read from the same bytes"
-    private const val PRODUCT = "the emission is multiplied with another texture"
-    private const val AFTER_GAMMA = "the emission is added when the gamma has been applied already"
-
     private fun view(study: ProgramStudy): List<Deviation> {
         val scale = study.box.spaces.view?.scale() ?: return emptyList()
         return if (kotlin.math.abs(scale - 1) <
@@ -99,4 +95,8 @@ internal object ProgramDeviations {
             listOf(Deviation(Mistake.VIEW_SCALED, "", 0.0, kotlin.math.abs(scale - 1)))
         }
     }
+
+    private const val OVERLAP = "two vertex attributes are read from the same bytes"
+    private const val PRODUCT = "the emission is multiplied with another texture"
+    private const val AFTER_GAMMA = "the emission is added when the gamma has been applied already"
 }

@@ -18,6 +18,7 @@ internal class Fog private constructor(
     private val emission: String,
 ) {
     private val whole = glow(listOf(NEAR))[0]
+    private val own by lazy { distance(Setting()) }
 
     /** Values that leave the fog black: what it is mixed from would only be rounded against what is lit. */
     val black: Map<String, FloatArray> by lazy {
@@ -52,7 +53,6 @@ internal class Fog private constructor(
         slot: ActiveUniform,
         level: Double,
     ): Boolean {
-        val own = distance(Setting())
         val changed = distance(Setting().withColor(slot, level, level, level))
         return own.indices.any { abs(changed[it] - own[it]) > DIFFERENT * own.max() }
     }

@@ -76,7 +76,6 @@ internal class UniformBlocks private constructor(
 
     companion object {
         private const val BYTES = 4
-        private const val ZERO = "[0]".length
 
         /** The blocks of the linked [program]; members that a capture cannot hold are noted on [tape]. */
         fun of(
@@ -104,8 +103,7 @@ internal class UniformBlocks private constructor(
                 tape.event(EventKind.NOT_CAPTURED, "the uniform ${name.take(CaptureLimits.NAME)} in a block")
                 return emptyList()
             }
-            val elements = if (name.endsWith("[0]")) List(ask(GL_UNIFORM_SIZE)) { "${name.dropLast(ZERO)}[$it]" } else listOf(name)
-            return elements.flatMapIndexed { i, element ->
+            return Uniforms.elements(name, ask(GL_UNIFORM_SIZE)).flatMapIndexed { i, element ->
                 val offset = ask(GL_UNIFORM_OFFSET) + i * ask(GL_UNIFORM_ARRAY_STRIDE)
                 val names = sources.mapNotNull { it.name(element) }.distinct().ifEmpty { listOf(element) }
                 names.map { Member(it, type, block, offset, ask(GL_UNIFORM_MATRIX_STRIDE), ask(GL_UNIFORM_IS_ROW_MAJOR) != 0) }

@@ -26,7 +26,7 @@ internal object Uniforms {
             val type = stack.mallocInt(1)
             (0 until glGetProgrami(program, GL_ACTIVE_UNIFORMS)).flatMap { index ->
                 val name = glGetActiveUniform(program, index, size, type)
-                val names = if (name.endsWith("[0]")) List(size[0]) { "${name.dropLast(ZERO)}[$it]" } else listOf(name)
+                val names = elements(name, size[0])
                 val kind = type[0]
                 when {
                     glGetUniformLocation(program, name) < 0 -> emptyList()
@@ -36,6 +36,12 @@ internal object Uniforms {
                 }
             }
         }
+
+    /** The names of all [size] elements of an array that OpenGL calls [name]; of what is no array its own. */
+    fun elements(
+        name: String,
+        size: Int,
+    ): List<String> = if (name.endsWith("[0]")) List(size) { "${name.dropLast(ZERO)}[$it]" } else listOf(name)
 
     /** What [uniform] of [program] holds now. */
     fun value(

@@ -34,6 +34,7 @@ internal class PipelineSettings(
     val edition: String?,
     val unsafeNoSandbox: Boolean,
     val jobs: Int,
+    val sharesCompiler: Boolean,
 )
 
 /**
@@ -74,6 +75,11 @@ internal class GradeCommand(
         help = "Run submissions without a sandbox: they can do whatever you can. Only for submissions that you trust",
     ).flag()
 
+    private val separateCompilers by option(
+        "--separate-compilers",
+        help = "Compile each submission in a process of its own, rather than one after another in one: slower",
+    ).flag()
+
     override fun run() {
         checkUsage()
         gradescope?.let(AtomicFile::checkWritable)
@@ -97,7 +103,8 @@ internal class GradeCommand(
 
     private fun grader(): GradeOne =
         try {
-            pipeline(PipelineSettings(edition, unsafeNoSandbox, jobs))
+            // The first one is not compiled any faster.
+            pipeline(PipelineSettings(edition, unsafeNoSandbox, jobs, sharesCompiler = !separateCompilers && submissions.size > jobs))
         } catch (e: NoSandboxError) {
             // Gradescope shows its results or nothing; everyone else is told at once.
             if (gradescope == null) throw e
@@ -109,7 +116,7 @@ internal class GradeCommand(
         return CourseProgress(terminal, chosen.size, jobs).use { progress ->
             val run = CourseRun(store, grader, settings, progress)
             if (resume) progress.resuming(run.interrupted)
-            run.run(chosen, shard)
+            grader.use { run.run(chosen, shard) }
         }
     }
 

@@ -12,5 +12,6 @@ internal fun gradeOne(settings: PipelineSettings): GradeOne {
     val missing = Sandbox.unavailable.takeUnless { settings.unsafeNoSandbox }
     if (missing != null) throw NoSandboxError(missing)
     val sandbox = if (settings.unsafeNoSandbox) Sandbox.unconfined() else Sandbox.confined()
-    return Pipeline(sandbox, settings.edition?.let(Edition::named), Home.resolve("build/cga/grading").toAbsolutePath())
+    val home = Home.resolve("build/cga/grading").toAbsolutePath()
+    return Pipeline(sandbox, settings.edition?.let(Edition::named), home, sharesCompiler = settings.sharesCompiler)
 }

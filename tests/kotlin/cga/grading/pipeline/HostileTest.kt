@@ -62,19 +62,15 @@ class HostileTest {
 
     @BeforeAll
     fun gradeAll() {
-        val sandbox = CompileOnce(Hostile.confined())
-        try {
-            // An honest run takes a tenth of these.
-            val submissions = submissions()
-            inputs.resolve("read/assets/link").createSymbolicLinkPointingTo(secret)
-            val limits = PipelineLimits(run = Limits(wallSeconds = 60.0, cpuSeconds = 20.0))
-            val pipeline = Pipeline(sandbox, null, COMPILERS, limits)
-            val settings = CourseSettings(Rubric.default(), Language.ENGLISH, jobs = 2)
-            ResultStore.open(out, resume = false).use { store ->
+        val submissions = submissions()
+        inputs.resolve("read/assets/link").createSymbolicLinkPointingTo(secret)
+        // An honest run takes a tenth of these.
+        val limits = PipelineLimits(run = Limits(wallSeconds = 60.0, cpuSeconds = 20.0))
+        val settings = CourseSettings(Rubric.default(), Language.ENGLISH, jobs = 2)
+        ResultStore.open(out, resume = false).use { store ->
+            Pipeline(Hostile.confined(), null, COMPILERS, limits, sharesCompiler = true).use { pipeline ->
                 graded = CourseRun(store, pipeline, settings, SILENT).run(Submission.of(submissions)).associateBy { it.name }
             }
-        } finally {
-            sandbox.clear()
         }
     }
 

@@ -40,14 +40,23 @@ public class KotlinCompiler internal constructor(
     /** What the command must be able to read. */
     internal val readable: List<Path> get() = jars + listOf(stdlib) + listOfNotNull(archive?.takeIf { it.exists() })
 
+    /**
+     * The command that starts [service], a class in [own], with this compiler beside it; its arguments are [folder] and the compiler's name.
+     */
+    internal fun serviceCommand(own: List<Path>, service: String, folder: Path): List<String> =
+        JavaCommand(jars + own, service, listOf("$folder", MAIN), HEAP_MEGABYTES, options() + KEEP_ALIVE).command()
+
     /** The command that compiles all below [sources] against [libraries] to [classes]. */
     internal fun command(sources: List<Path>, libraries: List<Path>, classes: Path): List<String> =
-        java(arguments(sources, libraries, classes), listOfNotNull(archive?.takeIf { it.exists() }?.let { "-XX:SharedArchiveFile=$it" }))
+        java(arguments(sources, libraries, classes), options())
 
-    private fun java(arguments: List<String>, options: List<String>) =
-        JavaCommand(jars, MAIN, arguments, HEAP_MEGABYTES, SILENT + INLINE_LITTLE + opened + options).command()
+    private fun java(arguments: List<String>, options: List<String>) = JavaCommand(jars, MAIN, arguments, HEAP_MEGABYTES, options).command()
 
-    private fun arguments(sources: List<Path>, libraries: List<Path>, classes: Path): List<String> {
+    private fun options(archiving: List<String> = listOfNotNull(archive?.takeIf { it.exists() }?.let { "-XX:SharedArchiveFile=$it" })) =
+        SILENT + INLINE_LITTLE + opened + archiving
+
+    /** The compiler's own arguments: [sources] and [classes] are folders, [classes] may be a jar to be written. */
+    internal fun arguments(sources: List<Path>, libraries: List<Path>, classes: Path): List<String> {
         val target = if (number >= KNOWS_17) "17" else "1.8"
         val level = languageLevel?.let { listOf("-language-version", it, "-api-version", it, NO_AGE) } ?: listOf(ANY_METADATA)
         return listOf("-no-stdlib", "-no-reflect", "-nowarn", "-module-name", "submission", "-jvm-target", target) + level +
@@ -63,7 +72,7 @@ public class KotlinCompiler internal constructor(
             val source = folder.resolve("A.kt").apply { writeText(WARM_UP) }
             val made = folder.resolve("made.jsa")
             val process = ProcessBuilder(
-                java(arguments(listOf(source), emptyList(), folder.resolve("classes")), listOf("-XX:ArchiveClassesAtExit=$made")),
+                java(arguments(listOf(source), emptyList(), folder.resolve("classes")), options(listOf("-XX:ArchiveClassesAtExit=$made"))),
             ).redirectErrorStream(true)
                 .redirectOutput(folder.resolve("log").toFile())
                 .start()
@@ -94,6 +103,9 @@ public class KotlinCompiler internal constructor(
 
         /** Half of a compiler's short life goes into compiling itself. Measured: with less inlining it takes 5.8 s of the processor, not 7.0. */
         const val INLINE_LITTLE = "-XX:C1MaxInlineSize=10"
+
+        /** What the compiler knows of libraries stays from one request to the next. */
+        const val KEEP_ALIVE = "-Dkotlin.environment.keepalive=true"
 
         val OPENED = listOf("java.lang", "java.util", "java.io", "java.util.concurrent.atomic").flatMap {
             listOf("--add-opens", "java.base/$it=ALL-UNNAMED")

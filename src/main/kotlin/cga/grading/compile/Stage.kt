@@ -18,6 +18,9 @@ internal class Stage(
     val kotlin: Path = folder.resolve("kotlin").createDirectories()
     val java: Path = folder.resolve("java").createDirectories()
     val javaFiles: List<Path>
+
+    /** What the Kotlin compiler is to read. */
+    val folders: List<Path> get() = listOf(kotlin, java)
     val notes = mutableListOf<String>()
 
     /** Names below the submission's root by the names here. */

@@ -15,13 +15,18 @@ import kotlin.io.path.exists
  * build file names. Never runs a build script.
  *
  * @param libraries what submissions are compiled against besides the Kotlin standard library: LWJGL, JOML.
+ * @param shared the class path of this program where submissions share a compiler as long as they compile; null where each has a process of
+ * its own in any case.
  */
 public class SubmissionCompiler(
     private val sandbox: Sandbox,
     private val compilers: CompilerCache,
     private val libraries: List<Path>,
     private val limits: Limits = Limits(wallSeconds = 120.0, cpuSeconds = 180.0),
-) {
+    private val shared: List<Path>? = null,
+) : AutoCloseable {
+    private val warm = SharedCompilers { SharedCompiler(sandbox, compilers.newest(), shared.orEmpty(), libraries) }
+
     /**
      * Compiles [submission] in [scratch], an existing folder of its own.
      *
@@ -73,16 +78,20 @@ public class SubmissionCompiler(
         val classes = scratch.resolve("classes")
         if (classes.exists()) Scratch.delete(classes)
         classes.createDirectories()
-        val readable = (libraries + further).map { compilers.readable(it, compiler) }
-        var outcome = run(compiler.command(listOf(stage.kotlin, stage.java), readable, classes), compiler.readable + readable, scratch)
-        if (outcome.isSuccess &&
-            stage.javaFiles.isNotEmpty()
-        ) {
+        val isShared = shared != null && compiler == compilers.newest() && further.isEmpty()
+        var outcome = if (isShared && warm.compiles(stage.folders, classes)) null else alone(compiler, stage, classes, scratch, further)
+        if (outcome?.isSuccess != false && stage.javaFiles.isNotEmpty()) {
             outcome = run(javac(compiler, stage, classes, further), compiler.readable + libraries + further, scratch)
         }
-        val errors = CompilerOutput.errors(outcome, stage)
+        val errors = outcome?.let { CompilerOutput.errors(it, stage) }.orEmpty()
         val runtime = listOf(compilers.newest().stdlib) + further
         return CompileResult(classes.takeIf { errors.isEmpty() }, runtime, compiler.title, errors, stage.notes)
+    }
+
+    /** By a process that this one submission has for itself. */
+    private fun alone(compiler: KotlinCompiler, stage: Stage, classes: Path, scratch: Path, further: List<Path>): Outcome {
+        val readable = (libraries + further).map { compilers.readable(it, compiler) }
+        return run(compiler.command(stage.folders, readable, classes), compiler.readable + readable, scratch)
     }
 
     private fun run(command: List<String>, readOnly: List<Path>, scratch: Path): Outcome =
@@ -93,6 +102,9 @@ public class SubmissionCompiler(
         return listOf("${Path.of(System.getProperty("java.home"), "bin", "javac")}", "-J-XX:TieredStopAtLevel=1", "-J-XX:+UseSerialGC") +
             listOf("-proc:none", "-nowarn", "-encoding", "UTF-8", "-d", "$classes", "-cp", classPath) + stage.javaFiles.map { "$it" }
     }
+
+    /** Ends the processes of shared compilers. */
+    override fun close(): Unit = warm.close()
 
     private fun CompileResult.noting(more: List<String>) = CompileResult(classes, runtime, compiler, errors, notes + more)
 }

@@ -5,7 +5,7 @@ import cga.grading.findings.Outcome
 import java.nio.file.Path
 
 /** Finds out what one submission does: unpack, compile, run, measure. Several threads call it at once, each with another submission. */
-public fun interface GradeOne {
+public fun interface GradeOne : AutoCloseable {
     /**
      * Grades the folder or archive [submission], which it does not change.
      *
@@ -15,6 +15,9 @@ public fun interface GradeOne {
      *   reported as a failure of the grader and costs only this submission.
      */
     public fun grade(submission: Path, folder: Path, listener: CheckListener): Outcome
+
+    /** Ends what is kept from one submission to the next; to be called when no submission is being graded any more. */
+    override fun close() {}
 }
 
 /** Hears of each check as soon as it has been measured. */

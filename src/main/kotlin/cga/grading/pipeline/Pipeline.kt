@@ -28,15 +28,18 @@ import kotlin.io.path.createDirectories
  * @param edition the sheet's, null where each submission's is detected.
  * @param home where the compilers and the worker are kept between runs.
  * @param limits of each step.
+ * @param sharesCompiler whether submissions that compile are compiled in one process after another, rather than each in its own.
  */
 public class Pipeline(
     private val sandbox: Sandbox,
     private val edition: Edition?,
     home: Path,
     private val limits: PipelineLimits = PipelineLimits(),
+    sharesCompiler: Boolean = false,
 ) : GradeOne {
     private val programs = Programs(home)
-    private val compiler = SubmissionCompiler(sandbox, CompilerCache(home), programs.forSubmissions, limits.compile)
+    private val compiler =
+        SubmissionCompiler(sandbox, CompilerCache(home), programs.forSubmissions, limits.compile, programs.own.takeIf { sharesCompiler })
 
     override fun grade(submission: Path, folder: Path, listener: CheckListener): Outcome {
         val work = folder.toRealPath().resolve("work").createDirectories()
@@ -49,6 +52,8 @@ public class Pipeline(
             Scratch.delete(work)
         }
     }
+
+    override fun close(): Unit = compiler.close()
 
     private fun grade(given: Path, folder: Path, work: Path, run: Run): Outcome {
         val submission = run.timed("unpack") { read(given, work) }

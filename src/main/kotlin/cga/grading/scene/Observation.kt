@@ -57,7 +57,10 @@ public class ObservedLight(
     public val spot: ObservedCone?,
     public val placedBy: String? = null,
     public val isViewed: Boolean = false,
-)
+) {
+    /** The same light by another name. */
+    internal fun named(name: String) = ObservedLight(name, position, color, k, spot, placedBy, isViewed)
+}
 
 /**
  * A spotlight's cone as effectively used.

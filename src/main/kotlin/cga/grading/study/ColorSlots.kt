@@ -48,7 +48,7 @@ internal class ColorSlots(
             blank: Set<String> = emptySet(),
         ): ColorSlots {
             val odd = if (isSumClamped) 0.5 else 0.0
-            val base = Setting().withTexels(box.program.samplers.associate { it.name to if (it.name in blank) 0.0 else DARK })
+            val base = dim(box, blank)
             val looks = box.program.uniforms.filter { !it.isSampler && it.type in VECTORS }.map { look(box, first, base, it, odd) }
             val all = looks.map { if (it.isSilent) look(box, more, base, it.slot, odd) else it }
             val samples = if (all.indices.any { all[it].isColor && looks[it].isSilent }) first + more else first
@@ -56,9 +56,9 @@ internal class ColorSlots(
             val flats = found.filter { it.isFlat }.map { it.slot }
             val uneven = found.filter { !it.isFlat }.map { it.slot }
             val lit = base.withColors(uneven, 1.0)
-            val (alone, mixed) = uneven.partition { actsAlone(box, samples, lit, it, uneven) }
-            // Of colours that multiply each other the one that multiplies most of them belongs to the material.
             val dark = lit.withColors(uneven, 0.0)
+            val (alone, mixed) = apart(box, samples, uneven, lit)
+            // Of colours that multiply each other the one that multiplies most of them belongs to the material.
             val partners = mixed.associateWith { slot -> mixed.filter { it != slot && multiply(box, samples, dark, slot, it) } }
             // What shows without any light colours the emission, too.
             val unlit = box.shade(samples, dark).largest()
@@ -72,8 +72,21 @@ internal class ColorSlots(
             box: BlackBox,
             samples: List<Sample>,
             slot: ActiveUniform,
-            base: Setting = Setting().withTexels(box.program.samplers.associate { it.name to DARK }),
+            base: Setting = dim(box),
         ): Boolean = look(box, samples, base, slot).let { it.isColor && !it.isFlat }
+
+        /** Whether [slot] changes nothing of [samples]. */
+        fun isSilent(
+            box: BlackBox,
+            samples: List<Sample>,
+            slot: ActiveUniform,
+        ): Boolean = look(box, samples, dim(box), slot).isSilent
+
+        /** All textures of [box] [DARK], those of the samplers [blank] black. */
+        private fun dim(
+            box: BlackBox,
+            blank: Set<String> = emptySet(),
+        ) = Setting().withTexels(box.program.samplers.associate { it.name to if (it.name in blank) 0.0 else DARK })
 
         /** Whether [a] does the same with [b] at 0 as with [b] at 1, all else as [setting] has it. */
         fun areApart(
@@ -84,7 +97,7 @@ internal class ColorSlots(
             b: ActiveUniform,
         ): Boolean {
             val on = setting.withColors(listOf(a, b), 1.0)
-            return actsAlone(box, samples, on, a, listOf(a, b))
+            return a in apart(box, samples, listOf(a, b), on).first
         }
 
         private fun isMoreOfAFactor(
@@ -146,22 +159,23 @@ internal class ColorSlots(
             return Look(slot, isColor = true, isFlat = isFlat)
         }
 
-        /** Whether [slot] does the same with all of [others] at 0. */
-        private fun actsAlone(
+        /** Those of [slots], all of them [lit], that do the same with all others at 0; and those that do not. */
+        private fun apart(
             box: BlackBox,
             samples: List<Sample>,
+            slots: List<ActiveUniform>,
             lit: Setting,
-            slot: ActiveUniform,
-            others: List<ActiveUniform>,
-        ): Boolean {
-            val without = box.shade(samples, lit.withColors(listOf(slot), 0.0))
+        ): Pair<List<ActiveUniform>, List<ActiveUniform>> {
             val with = box.shade(samples, lit)
-            val dark = lit.withColors(others, 0.0)
+            val dark = lit.withColors(slots, 0.0)
             val aloneWithout = box.shade(samples, dark)
-            val aloneWith = box.shade(samples, dark.withColors(listOf(slot), 1.0))
-            return with.indices.all {
-                val effect = with[it] - without[it]
-                !(abs(effect - (aloneWith[it] - aloneWithout[it])) > AFFINE * abs(effect) + noise(box) * FLOAT * abs(with[it]) + TINY)
+            return slots.partition { slot ->
+                val without = box.shade(samples, lit.withColors(listOf(slot), 0.0))
+                val aloneWith = box.shade(samples, dark.withColors(listOf(slot), 1.0))
+                with.indices.all {
+                    val effect = with[it] - without[it]
+                    !(abs(effect - (aloneWith[it] - aloneWithout[it])) > AFFINE * abs(effect) + noise(box) * FLOAT * abs(with[it]) + TINY)
+                }
             }
         }
 

@@ -70,13 +70,16 @@ internal class FirstLook private constructor(
             surface: List<Vector3d>,
         ): FirstLook {
             val box = plain.box
-            val isComplete = plain.colors.silent.none { slot ->
+            val silent = plain.colors.silent.filter { slot ->
                 slot.name !in box.program.constants && box.values[slot.name]?.any { it != 0f } == true
             }
-            if (isComplete) return plain
+            if (silent.isEmpty()) return plain
             val search = LightSearch(box, surface, isWide = true)
-            val colors =
-                ColorSlots.of(box, search.samples(LightSearch.FEW_DIRECTIONS), search.samples(LightSearch.MANY_DIRECTIONS))
+            val few = search.samples(LightSearch.FEW_DIRECTIONS)
+            val many = search.samples(LightSearch.MANY_DIRECTIONS)
+            // A look at everything takes long.
+            if (silent.all { ColorSlots.isSilent(box, few, it) && ColorSlots.isSilent(box, many, it) }) return plain
+            val colors = ColorSlots.of(box, few, many)
             if (colors.lights.size <= plain.colors.lights.size) return plain
             return FirstLook(box, colors, LightSearch(box, surface, isWide = true))
         }

@@ -35,9 +35,11 @@ internal class Observations(
         val seen = frame.steps.filterIsInstance<CapturedDraw>().mapNotNull(::look)
         val last = seen.lastOrNull() ?: return null
         val view = seen.firstNotNullOfOrNull { it.spaces.view } ?: groundView(seen)
-        val lights = seen.associateWith { lights(it, view) }
+        val passes = LightPasses.of(seen.map { it.draw to model(it, view) })
+        val added = if (passes.size > 1) passes.map { lights(seen[it.last()], view) } else null
+        val lights = seen.associateWith { added?.let(::together) ?: lights(it, view) }
         val objects =
-            seen.groupBy { key(it, view) }.map { (_, same) ->
+            passes.first().map(seen::get).groupBy { key(it, view) }.map { (_, same) ->
                 val program = same.first().study
                 val tint = program.emission.tint?.let { same.first().values[it.name] }
                 ObservedObject(
@@ -83,6 +85,14 @@ internal class Observations(
         seen: Seen,
         view: Matrix4dc,
     ): List<ObservedLight> = refs.getValue(seen.draw.program).map { it.light(seen.values, seen.spaces.view ?: view, seen.spaces) }
+
+    /** The lights of all [passes]; where two have the same name, as one shader is drawn with for each light, they are numbered. */
+    private fun together(passes: List<List<ObservedLight>>): List<ObservedLight> {
+        val names = passes.flatten().groupingBy { it.name }.eachCount()
+        return passes.flatMapIndexed { pass, lights ->
+            lights.map { if (names[it.name] == 1) it else it.named("${it.name} of pass ${pass + 1}") }
+        }
+    }
 
     private fun vertices(seen: Seen): FloatArray {
         val location = seen.study.formula.positionLocation

@@ -5,6 +5,7 @@ import cga.grading.sandbox.End
 import cga.grading.sandbox.Limit
 import cga.grading.sandbox.Limits
 import cga.grading.sandbox.Outcome
+import cga.grading.sandbox.Sandbox
 import cga.grading.submission.MadeUp
 import cga.grading.submission.SubmissionReader
 import org.junit.jupiter.api.Assertions.assertEquals
@@ -21,12 +22,18 @@ class MeasureStepTest {
     @TempDir
     lateinit var folder: Path
 
-    private fun stopped(end: End, errors: String = ""): Stopped {
+    private val tries = ArrayList<Path>()
+
+    private fun stopped(end: End, errors: String = "", next: End = end): Stopped {
         val submission = SubmissionReader.read(MadeUp.write(folder.resolve("submission")), folder.resolve("unused"))
         val scratch = folder.resolve("scratch").createDirectories()
-        // What a submission might have left there is not read before the process has ended well.
-        scratch.resolve("findings.json").writeText("{}")
-        val step = MeasureStep({ Outcome(end, "", errors, 1.0, 1.0, 1) }, Programs(folder.resolve("home")), Limits())
+        val sandbox = Sandbox { job ->
+            tries.add(job.scratch)
+            // What a submission might have left there is not read before the process has ended well.
+            job.scratch.resolve("findings.json").writeText("{}")
+            Outcome(if (tries.size == 1) end else next, "", errors, 1.0, 1.0, 1)
+        }
+        val step = MeasureStep(sandbox, Programs(folder.resolve("home")), Limits())
         return assertThrows { step.measure(submission, folder.resolve("capture.bin"), scratch, folder, Run()) }
     }
 
@@ -37,6 +44,16 @@ class MeasureStepTest {
         val crash = stopped(End.Signalled(11))
         assertEquals(FailureReason.CRASHED, crash.reason)
         assertTrue("shaders" in late.detail && "shaders" in crash.detail) { "${late.detail} ${crash.detail}" }
+    }
+
+    @Test
+    fun `after a crash it is measured once more, in a folder where nothing of the crash lies`() {
+        // Findings that are none show that the second try is what counts.
+        assertEquals(FailureReason.CAPTURE_UNREADABLE, stopped(End.Signalled(6), next = End.Exited(0)).reason)
+        assertEquals(2, tries.distinct().size)
+        tries.clear()
+        stopped(End.Exited(1))
+        assertEquals(1, tries.size)
     }
 
     @Test

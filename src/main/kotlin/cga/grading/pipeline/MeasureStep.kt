@@ -5,13 +5,16 @@ import cga.grading.findings.Check
 import cga.grading.findings.FailureReason
 import cga.grading.findings.Findings
 import cga.grading.findings.FindingsFile
+import cga.grading.sandbox.End
 import cga.grading.sandbox.JavaCommand
 import cga.grading.sandbox.Job
 import cga.grading.sandbox.Limits
+import cga.grading.sandbox.Outcome
 import cga.grading.sandbox.SafeFiles
 import cga.grading.sandbox.Sandbox
 import cga.grading.submission.Submission
 import java.nio.file.Path
+import kotlin.io.path.createDirectories
 import kotlin.io.path.writeBytes
 
 /** Measures a capture in the sandbox, in a process that has none of the submission's classes: only its shaders run there. */
@@ -20,13 +23,25 @@ internal class MeasureStep(
     private val programs: Programs,
     private val limits: Limits,
 ) {
-    /** The findings, their pictures put into [folder]. Throws [Stopped]. */
+    /** The findings, their pictures put into [folder]; a crash is tried once more. Throws [Stopped]. */
     fun measure(submission: Submission, capture: Path, scratch: Path, folder: Path, run: Run): Findings {
+        val first = scratch.resolve("first").createDirectories()
+        val outcome = attempt(submission, capture, first, run)
+        // A driver has crashed once in 400 measurements, with shaders that it drew without fail a hundred times.
+        if (outcome.end !is End.Signalled) return findings(outcome, first, folder)
+        val second = scratch.resolve("second").createDirectories()
+        return findings(attempt(submission, capture, second, run), second, folder)
+    }
+
+    private fun attempt(submission: Submission, capture: Path, scratch: Path, run: Run): Outcome {
         val arguments = listOf(capture.toString(), scratch.toString(), submission.edition.edition.id)
         val command = JavaCommand(programs.own, MAIN, arguments, options = programs.ownArchive.options).command()
         val readOnly = programs.own + listOfNotNull(programs.ownArchive.file, capture)
-        val outcome = sandbox.run(Job(command, scratch, readOnly, JavaCommand.mesaCachingIn(scratch.resolve("shaders")), limits = limits))
-        run.note("measuring", outcome)
+        val environment = JavaCommand.mesaCachingIn(scratch.resolve("shaders"))
+        return sandbox.run(Job(command, scratch, readOnly, environment, limits = limits)).also { run.note("measuring", it) }
+    }
+
+    private fun findings(outcome: Outcome, scratch: Path, folder: Path): Findings {
         // Nothing of the submission's but its shaders runs there: they are what took too long or brought the driver down.
         checkEnd("Drawing with its shaders", outcome, CODES, FailureReason.INTERNAL)
         return try {

@@ -26,6 +26,11 @@ internal class FakeGrader(
     private val onGrade: (Path) -> Unit = {},
 ) : GradeOne {
     val graded = ConcurrentLinkedQueue<String>()
+    var closed = 0
+
+    override fun close() {
+        closed++
+    }
 
     override fun grade(submission: Path, folder: Path, listener: CheckListener): Outcome {
         graded += submission.name

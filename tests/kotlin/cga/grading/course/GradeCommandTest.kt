@@ -88,6 +88,20 @@ class GradeCommandTest {
     }
 
     @Test
+    fun `submissions share a compiler where that saves time, and it is ended with them`() {
+        fun shares(vararg args: String): Boolean {
+            var shares: Boolean? = null
+            GradeCommand { grader.also { _ -> shares = it.sharesCompiler } }.test(args.toList())
+            return shares ?: error("nothing was graded")
+        }
+        val inputs = inputs("a" to "right", "b" to "right", "c" to "right")
+        assertEquals(true, shares(*inputs, "--out", "$out-1", "--jobs", "2"))
+        assertEquals(1, grader.closed)
+        assertEquals(false, shares(*inputs, "--out", "$out-2", "--jobs", "3"))
+        assertEquals(false, shares(*inputs, "--out", "$out-3", "--jobs", "2", "--separate-compilers"))
+    }
+
+    @Test
     fun `wrong usage is told before anything is graded`() {
         val inputs = inputs("a" to "right", "b" to "right")
 

@@ -16,11 +16,12 @@ class AttributeOverlapTest {
         normal: Long,
         buffer: Int = 0,
         stride: Int = 32,
+        coordinates: Long = 12,
     ): Capture {
         val attributes =
             listOf(
                 CapturedAttribute(0, 3, GL_FLOAT, false, stride, 0, 0),
-                CapturedAttribute(1, 2, GL_FLOAT, false, stride, 12, 0),
+                CapturedAttribute(1, 2, GL_FLOAT, false, stride, coordinates, 0),
                 CapturedAttribute(2, 3, GL_FLOAT, false, stride, normal, buffer),
             )
         val frame = plain.frames.single()
@@ -39,6 +40,7 @@ class AttributeOverlapTest {
     fun `attributes side by side do not overlap, nor do those of several buffers`() {
         assertEquals(false, AttributeOverlap.isThere(capture(normal = 20), 0))
         assertEquals(false, AttributeOverlap.isThere(capture(normal = 0, buffer = 1), 0))
+        assertEquals(false, AttributeOverlap.isThere(capture(normal = 0, stride = 12, coordinates = 0), 0), "positions alone")
     }
 
     @Test

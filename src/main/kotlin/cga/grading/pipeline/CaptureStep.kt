@@ -7,6 +7,7 @@ import cga.grading.sandbox.End
 import cga.grading.sandbox.JavaCommand
 import cga.grading.sandbox.Job
 import cga.grading.sandbox.Limits
+import cga.grading.sandbox.Outcome
 import cga.grading.sandbox.SafeFiles
 import cga.grading.sandbox.Sandbox
 import cga.grading.submission.Submission
@@ -19,23 +20,39 @@ internal class CaptureStep(
     private val programs: Programs,
     private val limits: Limits,
 ) {
-    /** The capture file, which nobody has looked into yet, of [submission] started in [start]. Throws [Stopped] where there is none. */
+    /**
+     * The capture file, which nobody has looked into yet, of [submission] started in [start]; a native crash is tried once more, as it may
+     * be the driver's. Throws [Stopped] where there is none.
+     */
     fun capture(submission: Submission, start: Path, main: String, compiled: Compiled, scratch: Path, run: Run): Path {
-        val file = scratch.resolve(NAME)
+        fun attempt(folder: Path) = attempt(submission, start, main, compiled, folder.createDirectories(), run)
+        val first = scratch.resolve("first")
+        val outcome = attempt(first)
+        if (outcome.end !is End.Signalled) return captured(outcome, first)
+        val second = scratch.resolve("second")
+        return captured(attempt(second), second)
+    }
+
+    private fun attempt(submission: Submission, start: Path, main: String, compiled: Compiled, scratch: Path, run: Run): Outcome {
         val command = WorkerFiles.command(
-            WorkerRun(listOf(compiled.classes) + compiled.runtime, programs.worker, main, file, programs.workerArchive.options),
+            WorkerRun(
+                listOf(compiled.classes) + compiled.runtime, programs.worker, main, scratch.resolve(NAME), programs.workerArchive.options,
+            ),
         )
         val readOnly = programs.readable + compiled.runtime + listOf(compiled.classes, submission.root, start)
-        val outcome =
-            sandbox.run(Job(command, scratch, readOnly, JavaCommand.MESA + NO_SOUND, workingDirectory = start, limits = limits))
-        run.note("the program's output", outcome)
+        return sandbox
+            .run(Job(command, scratch, readOnly, JavaCommand.MESA + NO_SOUND, workingDirectory = start, limits = limits))
+            .also { run.note("the program's output", it) }
+    }
+
+    private fun captured(outcome: Outcome, scratch: Path): Path {
         // Any code may be the submission's own: that there is no OpenGL is believed to a program of ours only.
         if (outcome.end == End.Exited(NO_OPENGL) && !hasOpenGl(scratch)) {
             throw Stopped(FailureReason.INTERNAL, "No OpenGL window can be made in the sandbox.\n${outcome.errors.trim().take(MOST_SAID)}")
         }
         checkEnd("The program", outcome)
         if (!SafeFiles.exists(scratch, NAME)) throw Stopped(FailureReason.EXITED, "The program ended before anything was captured.")
-        return file
+        return scratch.resolve(NAME)
     }
 
     private fun hasOpenGl(scratch: Path): Boolean {

@@ -18,11 +18,13 @@ internal object AttributeOverlap {
             .filter { it.program == number }
             .any { draw -> draw.attributes.any { a -> draw.attributes.any { it.location > a.location && overlap(a, it) } } }
 
+    /** A marker of positions alone has them for all else, too: nothing in its buffer is left out. */
     private fun overlap(
         a: CapturedAttribute,
         b: CapturedAttribute,
     ): Boolean =
-        a.buffer == b.buffer && a.stride == b.stride && a.stride > 0 && a.offset < b.offset + bytes(b) && b.offset < a.offset + bytes(a)
+        a.buffer == b.buffer && a.stride == b.stride && a.stride > maxOf(bytes(a), bytes(b)) &&
+            a.offset < b.offset + bytes(b) && b.offset < a.offset + bytes(a)
 
     private fun bytes(attribute: CapturedAttribute) = attribute.size * (GlNumbers.attributeBytes(attribute.type) ?: 0)
 }

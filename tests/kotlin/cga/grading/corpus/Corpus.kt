@@ -19,7 +19,8 @@ internal object Corpus {
     private val home: Path = projectRoot.toPath().resolve("tests/submissions")
 
     /** What makes a project one of the later edition. */
-    private val LATER = setOf("later", "way-edition-structs", "way-light-cycle", "way-night-shift", "way-later-shade")
+    private val LATER =
+        setOf("later", "way-edition-structs", "way-light-cycle", "way-night-shift", "way-later-shade", "way-later-main", "way-spring-term")
 
     /** The file that lists the correct submissions. */
     val correctList: Path = home.resolve("correct.txt")

@@ -144,4 +144,16 @@ class ColorMistakesTest {
         }
         ground { rig, t -> rig.motorcycleTint(t) }.assertCosts(Check.GROUND_COLOR, least = 0.5)
     }
+
+    @Test
+    fun `a colour that is sent when its thing has been drawn is worn by the next one, which costs once`() {
+        val rig = object : Rig() {
+            override fun motorcycleTint(t: Double) = if (t == 0.0) Vector3d() else Vector3d(0.0, 1.0, 0.0)
+
+            override fun groundTint(t: Double) = Vector3d(abs(sin(t + 1)), abs(sin(t / 2 + 1)), abs(sin(t / 3 + 1)))
+
+            override fun ownColor(t: Double) = groundTint(t)
+        }
+        rig.verdict().assertMistake(Mistake.COLOR_CONSTANT)
+    }
 }

@@ -175,6 +175,48 @@ class OrbitMistakesTest {
     }
 
     @Test
+    fun `pitch on the spot within narrow bounds is a freedom`() {
+        val rig = object : Rig() {
+            private var tilt = 0f
+
+            override fun orbit(dx: Double, dy: Double) {
+                camera.rotateAroundPoint(0f, (-0.002 * dx).toFloat(), 0f, Vector3f())
+                val next = (tilt + (0.001 * dy).toFloat()).coerceIn(-0.15f, 0.15f)
+                camera.rotateLocal(next - tilt, 0f, 0f)
+                tilt = next
+            }
+        }
+        val verdict = rig.verdict()
+        assertEquals(emptyList<Mistake>(), verdict.mistakes.map { it.mistake }, verdict.text())
+        assertEquals(0.0, verdict[Check.ORBIT_PIVOT]?.error ?: 1.0, 1e-4, verdict.text())
+    }
+
+    @Test
+    fun `the way down turns the camera, and the way to the side does nothing`() {
+        val verdict = turning { rig, _, dy -> rig.camera.rotateAroundPoint(0f, dy, 0f, Vector3f()) }
+        verdict.assertMistake(Mistake.UNKNOWN, Check.ORBIT, least = 1.0)
+        assertTrue(verdict.notes.none { "late" in it }, "${verdict.notes}")
+    }
+
+    @Test
+    fun `a first event whose position is not remembered`() {
+        val rig = object : Rig() {
+            private var isHeard = false
+
+            init {
+                lastX = 0.0
+                lastY = 0.0
+            }
+
+            override fun mouse(x: Double, y: Double, alt: Boolean) {
+                if (isHeard) super.mouse(x, y, alt)
+                isHeard = true
+            }
+        }
+        rig.verdict().assertMistake(Mistake.MOUSE_JUMP, least = 0.9)
+    }
+
+    @Test
     fun `pitch about the motorcycle's axis tilts the horizon`() {
         val verdict = turning { rig, dx, dy -> rig.camera.rotateAroundPoint(dy, dx, 0f, Vector3f()) }
         verdict.assertMistake(Mistake.ORBIT_OWN_AXIS)

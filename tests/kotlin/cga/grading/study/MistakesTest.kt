@@ -167,6 +167,22 @@ class MistakesTest {
             ),
             vertex(Mistake.NORMAL_MATRIX, "normals by the inverse", "inverse(transpose(modelView))", "inverse(modelView)"),
             vertex(
+                Mistake.NORMAL_MATRIX,
+                "normals by the model's inverse and the view",
+                "inverse(transpose(modelView))",
+                "view_matrix * inverse(model_matrix)",
+            ),
+            fragment(
+                Mistake.UNKNOWN,
+                "a cone to the front and one to the back",
+                "dot(-l, normalize(spotLightDirection))" to "abs(dot(-l, normalize(spotLightDirection)))",
+            ),
+            fragment(
+                Mistake.UNKNOWN,
+                "a highlight of the angle between half vector and view",
+                "max(dot(n, h), 0.0)" to "max(dot(v, h), 0.0)",
+            ),
+            vertex(
                 Mistake.TO_LIGHT_WORLD,
                 "toLight in world space",
                 "(view_matrix * vec4(pointLightPos, 1.0)).xyz - pos.xyz",

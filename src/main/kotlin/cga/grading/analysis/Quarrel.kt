@@ -48,7 +48,7 @@ internal class Quarrel(
             in CONE ->
                 !breaksTie(found) &&
                     (
-                        shading.any { it.mistake in CONE } ||
+                        shading.any { it.mistake in CONE || isUnknownCone(it, found) } ||
                             (found.mistake != Mistake.CONE_NEVER_SENT && found.explains == null && shadingVerdict[Check.CONE].isRight())
                     )
             in FORM -> shadingVerdict[Check.ATTENUATION_FORM]?.error != null
@@ -66,6 +66,13 @@ internal class Quarrel(
             Mistake.UNKNOWN -> other.explains.orEmpty().contains(found.mistake.check)
             else -> false
         }
+
+    /** Whether [other] says that the light of [found], of whose cone no numbers were found, has one in a form without a name. */
+    private fun isUnknownCone(
+        other: Found,
+        found: Found,
+    ) = found.mistake == Mistake.CONE_NEVER_SENT && other.mistake == Mistake.UNKNOWN && found.where in lights(other) &&
+        (shadingVerdict[Check.CONE]?.error ?: 0.0) >= 1
 
     /** Round angles among the numbers sent tell a cosine of a cosine from a cone turned inside out. */
     private fun breaksTie(found: Found): Boolean =

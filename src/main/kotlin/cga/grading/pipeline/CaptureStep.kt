@@ -36,7 +36,11 @@ internal class CaptureStep(
     private fun attempt(submission: Submission, start: Path, main: String, compiled: Compiled, scratch: Path, run: Run): Outcome {
         val command = WorkerFiles.command(
             WorkerRun(
-                listOf(compiled.classes) + compiled.runtime, programs.worker, main, scratch.resolve(NAME), programs.workerArchive.options,
+                listOf(compiled.classes) + compiled.runtime,
+                programs.worker,
+                main,
+                scratch.resolve(NAME),
+                programs.workerArchive.options,
             ),
         )
         val readOnly = programs.readable + compiled.runtime + listOf(compiled.classes, submission.root, start)

@@ -37,7 +37,7 @@ internal class ColorJudge(
         if ((ground + motorcycle).let { both -> both.isNotEmpty() && both.all { it.color.maxAbs() < DARK } }) {
             nothing()
         } else {
-            ground(ground)
+            ground(ground, isStill = motorcycle.isNotEmpty() && spread(motorcycle) <= CHANGE)
             motorcycle(motorcycle)
         }
         light(motorcycle)
@@ -60,12 +60,19 @@ internal class ColorJudge(
             track?.of(frame)?.tint?.takeIf { it.isFinite }?.let { Tint(frame.moment, frame.time, it) }
         }
 
-    private fun ground(tints: List<Tint>) {
+    /** @param isStill whether the motorcycle's colour never changes. */
+    private fun ground(tints: List<Tint>, isStill: Boolean) {
         if (timeline.cast.ground == null) return book.measured(Check.GROUND_COLOR, null, "There is no ground to be seen.")
         if (tints.isEmpty()) return book.absent(Check.GROUND_COLOR, "No colour is multiplied with the ground's emission.")
         val color = tints.last().color
         val change = spread(tints) / max(tints.maxOf { it.color.maxAbs() }, DARK)
         when {
+            // Each thing is drawn in the colour of the one before.
+            change > CHANGE && isStill -> book.measured(
+                Check.GROUND_COLOR,
+                0.0,
+                "The ground has the colour that changes, and the motorcycle has not: that costs at the motorcycle.",
+            )
             change > STILL -> book.measured(
                 Check.GROUND_COLOR,
                 change,

@@ -51,6 +51,9 @@ internal class OrbitJudge(
         late: List<Reaction>,
     ): Boolean {
         val still = turns.none { it.move.isSideways() && it.turn.angle > TURNED }
+        // The longest way of all tells a camera that is late from one that turns with the mouse's way down.
+        val answers = late.filter { it.move.isSideways() && !it.move.alt }.map { it.turn.angle > TURNED }
+        if (answers.distinct().size > 1) return false
         // After the last move the motorcycle drives.
         val undriven = late.filter { it.move != MouseMove.ALL.last() }
         return still && late.size == turns.size && undriven.any { it.move.isSideways() && it.turn.angle > TURNED && it.turn.tilt < UPRIGHT }
@@ -58,6 +61,8 @@ internal class OrbitJudge(
 
     private fun missing(reactions: List<Reaction>) {
         val turnsMotorcycle = reactions.any { it.turn.motorcycleTurned > MOTORCYCLE_TURNED }
+        val byHeight = reactions.filter { !it.move.first && it.move.x == 0.0 && it.move.y != 0.0 && it.turn.angle > TURNED }
+        if (byHeight.isNotEmpty() && byHeight.all { it.turn.tilt < UPRIGHT }) return byHeightOnly()
         if (!turnsMotorcycle && reactions.any { it.turn.moved > TURNED }) return movedOnly()
         val what =
             if (turnsMotorcycle) {
@@ -77,6 +82,19 @@ internal class OrbitJudge(
         book.measured(Check.ORBIT, 1.0, "The mouse moves the camera without turning it.")
     }
 
+    /** The two coordinates of the mouse were exchanged. */
+    private fun byHeightOnly() {
+        (OrbitChecks.ALL - Check.ORBIT).forEach {
+            book.measured(
+                it,
+                0.0,
+                "The camera turns with the wrong coordinate: that costs at the orbit.",
+            )
+        }
+        book.measured(Check.ORBIT, 1.0, "The camera turns to the side when the mouse moves up or down, and not when it moves to the side.")
+        book.found(Mistake.UNKNOWN, 1.0, 1.0, "camera, when the mouse moves up or down")
+    }
+
     /** A camera that is where it was before, as soon as the mouse moves straight down: the last difference was taken for the sum of all. */
     private fun swingsBack() {
         val moments = listOf(Moment.MOUSE_FIRST to Moment.MOUSE_DOWN, Moment.ALT_HELD to Moment.ALT_DOWN)
@@ -94,7 +112,10 @@ internal class OrbitJudge(
         turning: List<Reaction>,
         sideways: List<Reaction>,
     ) {
-        val worst = turning.maxBy { it.turn.passesBy(box) }
+        // A camera that nods a little where it stands when the mouse moves up or down still has the motorcycle before it.
+        val nods = turning.filter { it !in sideways && it.turn.moved < IN_PLACE * it.turn.angle }
+        val isFree = nods.sumOf { it.turn.angle } < LITTLE
+        val worst = (if (isFree) turning - nods.toSet() else turning).maxBy { it.turn.passesBy(box) }
         val error = worst.turn.passesBy(box)
         val turnedInPlace = sideways.all { it.turn.moved < IN_PLACE * it.turn.angle }
         if (turnedInPlace && book.has(Mistake.ORBIT_OWN_AXIS)) {
@@ -161,6 +182,7 @@ internal class OrbitJudge(
         private const val MOTORCYCLE_TURNED = 1e-3
         private const val UPRIGHT = 0.05
         private const val LOST = 1e-2
+        private const val LITTLE = 0.25
 
         /** Relative. */
         private const val NAMED = 0.02

@@ -35,7 +35,10 @@ internal class OrbitPace(
         val pace = paces.minBy { abs(it / wanted - 1) }
         val isDeaf = sideways.size < MouseMove.ALL.count(::isSideways)
         val others =
-            sideways.zip(paces).filter { (reaction, its) -> abs(its / pace - 1) > AGREES && !(isDeaf && isUnfollowed(reaction, wanted)) }
+            sideways.zip(paces).filter { (reaction, its) ->
+                val mayBeUnfollowed = isDeaf || (reaction == sideways.first() && sideways.size > 1)
+                abs(its / pace - 1) > AGREES && !(mayBeUnfollowed && isUnfollowed(reaction, wanted))
+            }
         val worst = (others.map { it.second } + pace).maxBy { abs(it / wanted - 1) }
         val alone = sideways.singleOrNull()
         val honest = if (alone != null && isUnfollowed(alone, wanted)) wanted else worst
@@ -71,8 +74,8 @@ internal class OrbitPace(
         val jump =
             when {
                 turn.angle > pace -> first.moment to turn.angle
-                // The first event that is heard may be a later one, under Alt.
-                late != null && late.first.alt && isUnfollowed(late, pace) -> {
+                // The first event that is heard may be a later one, under Alt; or the position of the first was not remembered.
+                late != null && isUnfollowed(late, pace) -> {
                     late.first.moment to late.second.angle - pace * abs(late.first.x)
                 }
                 else -> null

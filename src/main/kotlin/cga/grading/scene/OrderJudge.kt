@@ -23,6 +23,9 @@ internal class OrderJudge(
     /** Whether there are frames enough to tell a colour that was not there from one that grows from 0 with time. */
     private val mayTellDarkness = timeline.frame(Moment.TIME_1) != null
 
+    /** A motorcycle whose colour never changes wears that of another thing: that costs there. */
+    private val mayTellColors = cast.motorcycle?.let { !isConstant(it) } ?: true
+
     fun judge() {
         val first = timeline.frame(Moment.FIRST)
         val second = timeline.frame(Moment.SECOND)
@@ -48,7 +51,7 @@ internal class OrderJudge(
         for ((who, track) in listOf("the ground" to cast.ground, "the motorcycle" to cast.motorcycle)) {
             val before = track?.of(first) ?: continue
             val after = track.of(second) ?: continue
-            val isColorless = mayTellDarkness && before.tint.isDark() && !after.tint.isDark() && isConstant(track)
+            val isColorless = mayTellDarkness && mayTellColors && before.tint.isDark() && !after.tint.isDark() && isConstant(track)
             if (isColorless) evidence += "the first frame has no colour for $who"
             for (light in lights) {
                 val lack = light.late(before.lights, after.lights, first.view) ?: continue

@@ -82,6 +82,21 @@ internal class ColorSlots(
             slot: ActiveUniform,
         ): Boolean = look(box, samples, dim(box), slot).isSilent
 
+        /** Whether the picture is nowhere darker the more of [slot] there is, and brighter somewhere: a colour, however its light is added. */
+        fun brightens(
+            box: BlackBox,
+            samples: List<Sample>,
+            slot: ActiveUniform,
+        ): Boolean {
+            val (none, some, more) = listOf(0.0, 1.0, 2.0).map { level ->
+                box.shade(samples, dim(box).withColor(slot, level * LEVELS[0], level * LEVELS[1], level * LEVELS[2]))
+            }
+
+            fun isDarker(a: Double, b: Double) = !(a <= b + AFFINE * abs(b) + TINY)
+            if (none.indices.any { isDarker(none[it], some[it]) || isDarker(some[it], more[it]) }) return false
+            return none.indices.any { isDarker(some[it], none[it]) && isDarker(more[it], some[it]) }
+        }
+
         /** All textures of [box] [DARK], those of the samplers [blank] black. */
         private fun dim(
             box: BlackBox,

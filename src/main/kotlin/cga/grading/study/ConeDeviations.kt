@@ -34,6 +34,7 @@ internal object ConeDeviations {
         val values = words?.let(::valueMistake)
         val length = if (words == null) AxisLength.of(cone, numbers, lengths) else null
         return when {
+            isTwofold(cone) -> listOf(unknown(light, cone, 1.0, TWOFOLD_TEXT))
             cone.falloff == Falloff.HARD -> found(Mistake.CONE_HARD_EDGE)
             cone.falloff == Falloff.COSINE_TWICE -> found(Mistake.COSINE_OF_COSINE)
             values != null -> found(values)
@@ -94,6 +95,10 @@ internal object ConeDeviations {
         }
     }
 
+    /** Whether it shines to the front and to the back, and to no side. */
+    private fun isTwofold(cone: ConeFit) =
+        cone.intensities.run { first() > FULL && last() > FULL && min() < LEFT }
+
     /** Whether the light has full strength on its axis only because its inner angle is 0: then it is no brighter there than its K say. */
     private fun startsAtAxis(
         light: LightModel,
@@ -112,6 +117,8 @@ internal object ConeDeviations {
 
     /** Of full light, beyond the outer edge. */
     private const val LEFT = 0.02
+    private const val FULL = 0.5
+    private const val TWOFOLD_TEXT = "it shines in two cones, one to the front and one to the back"
     private const val LEFT_TEXT = "outside of the cone it is not dark"
 
     /** Radians: wider than any headlight. */

@@ -14,6 +14,10 @@ internal object HighlightDeviations {
         val highlight = light.highlight ?: return listOf(Deviation(Mistake.SPECULAR_MISSING, light.name, 0.0, 1.0))
         val fit = highlight.fit
         if (fit.error > TOLERATED) return listOf(Deviation(Mistake.UNKNOWN, light.name, fit.error, fit.error, check = Check.SPECULAR))
+        // The same for all normals, and not of one strength: a power, but of something else than a cosine with the normal.
+        if (fit.exponent < NO_EXPONENT && !light.otherDirection && highlight.limits.best > UNLIMITED) {
+            return listOf(Deviation(Mistake.UNKNOWN, light.name, fit.error, 1.0, check = Check.SPECULAR))
+        }
         val mistakes =
             listOfNotNull(
                 Mistake.VIEW_VECTOR_SIGN.takeIf {

@@ -31,7 +31,8 @@ internal class HighlightStudy(
         if (roles.specular == null) return null
         val fit = HighlightFit.of(probe, placement, inside, roles.onlySpecular) ?: return null
         val limits = limits(fit)
-        if (fit.lobe == Lobe.BLINN && limits.best > SOUND) {
+        // The power 0 is the same of any vector.
+        if (fit.lobe == Lobe.BLINN && fit.exponent > FLAT && limits.best > SOUND) {
             // At one point the length of a half vector is a factor like any other; from point to point it changes.
             val long = HighlightFit(Lobe.BLINN_LONG, fit.eye, fit.lightReversed, fit.exponent, fit.error, fit.unclamped)
             val longLimits = limits(long)
@@ -153,5 +154,6 @@ internal class HighlightStudy(
         const val BESIDE = 0.02
         const val SOUND = 1e-3
         const val FAINT = 1e-20
+        const val FLAT = 1e-3
     }
 }

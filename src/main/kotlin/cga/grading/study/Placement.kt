@@ -23,6 +23,10 @@ internal enum class NormalPath(val space: Space?) {
 
     /** Model and view in the wrong order: the same until the object turns. */
     MODEL_AFTER_VIEW(null),
+
+    /** By the model matrix's inverse in the place of its inverse transpose, in view space and in the world. */
+    MODEL_INVERSE(null),
+    MODEL_INVERSE_WORLD(null),
 }
 
 /**
@@ -158,6 +162,8 @@ internal fun Spaces.normals(path: NormalPath): Matrix3d? =
         NormalPath.VIEW_MATRIX_ONLY -> view?.rotationPart()
         NormalPath.INVERSE -> modelView.rotationPart().transpose()
         NormalPath.MODEL_AFTER_VIEW -> view?.let { view -> model?.rotationPart()?.mul(view.rotationPart()) }
+        NormalPath.MODEL_INVERSE -> view?.let { view -> model?.rotationPart()?.transpose()?.let { view.rotationPart().mul(it) } }
+        NormalPath.MODEL_INVERSE_WORLD -> model?.rotationPart()?.transpose()
     }
 
 internal val Spaces.rotation: Matrix3dc get() = modelView.rotationPart()

@@ -65,9 +65,10 @@ internal class ProgramStudy(
 
     /** The other light whose directions [light] takes while its distances are its own; null where it does not. */
     fun directionOf(light: LightModel): LightModel? {
-        val from = light.placement?.view ?: return null
-        if ((light.attenuation?.error ?: 0.0) <= AttenuationFit.ACCEPTED) return null
-        return lights.firstOrNull { it !== light && isAt(it, from) && (it.attenuation?.error ?: 1.0) <= AttenuationFit.ACCEPTED }
+        val place = light.placement?.view ?: return null
+        val isItsOwn = light.attenuation?.let { it.error <= AttenuationFit.ACCEPTED && it.from == null } != false
+        if (isItsOwn) return null
+        return lights.firstOrNull { it !== light && isAt(it, place) && (it.attenuation?.error ?: 1.0) <= AttenuationFit.ACCEPTED }
     }
 
     private fun isAt(
@@ -101,6 +102,9 @@ internal class ProgramStudy(
             val sight = if (long.isOdd) usual else long
             val (look, colors, lit) = sight
             val decoded = look.box
+            if (colors.lights.isEmpty() && box.program.uniforms.any { isUnseparated(it, box, colors, surface) }) {
+                throw InputError("the lights of program $number cannot be told apart: what each adds depends on the others")
+            }
             val search = look.search
             val samples = LightSearch(decoded, surface).samples(LightSearch.FEW_DIRECTIONS)
             val roles = lit.roles
@@ -117,6 +121,19 @@ internal class ProgramStudy(
                 AttributeOverlap.isThere(capture, number), surface,
                 Representative.other(capture, number, formula, decoded),
             )
+        }
+
+        /** Whether [slot] is a colour that is none of [colors], as the picture is no sum with it. */
+        private fun isUnseparated(
+            slot: ActiveUniform,
+            box: BlackBox,
+            colors: ColorSlots,
+            surface: List<Vector3d>,
+        ): Boolean {
+            val isVector = !slot.isSampler && slot.components in 3..4 && slot.type != GL_FLOAT_MAT4
+            if (!isVector || slot in colors.flats + colors.factors + colors.silent) return false
+            val samples = LightSearch(box, surface).samples(LightSearch.FEW_DIRECTIONS)
+            return ColorSlots.brightens(box, samples, slot)
         }
 
         /** What is seen of a program before its lights are studied one by one. */

@@ -26,7 +26,7 @@ internal class StrayDistance private constructor(
         ): StrayDistance? {
             val random = Random(21)
             val points = List(POINTS) {
-                val direction = Directions.around(seen.axis, random.nextDouble(seen.inner * WELL_INSIDE), random.nextDouble(2 * PI))
+                val direction = Directions.around(seen.axis, random.nextDouble() * seen.inner * WELL_INSIDE, random.nextDouble(2 * PI))
                 amplitudes.placement.at(direction.mul(exp(random.nextDouble(ln(NEAR), ln(FAR)))))
             }
             val law = AttenuationFit.fromElsewhere(amplitudes, candidates, points) ?: return null

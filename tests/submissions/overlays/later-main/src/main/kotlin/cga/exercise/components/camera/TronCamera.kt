@@ -1,0 +1,29 @@
+package cga.exercise.components.camera
+
+import cga.exercise.components.geometry.Transformable
+import cga.exercise.components.shader.ShaderProgram
+import org.joml.Matrix4f
+import org.joml.Vector3f
+
+class TronCamera(
+    private val fov: Float = Math.toRadians(90.0).toFloat(),
+    private val aspectRatio: Float = 16.0f / 9.0f,
+    private val near: Float = 0.1f,
+    private val far: Float = 100.0f
+) : Transformable(), ICamera {
+
+    override fun getCalculateViewMatrix(): Matrix4f {
+        val eye = getWorldPosition()
+        val target = Vector3f(eye).sub(getWorldZAxis())
+        return Matrix4f().lookAt(eye, target, getWorldYAxis())
+    }
+
+    override fun getCalculateProjectionMatrix(): Matrix4f {
+        return Matrix4f().perspective(fov, aspectRatio, near, far)
+    }
+
+    override fun bind(shader: ShaderProgram) {
+        shader.setUniform("view_matrix", getCalculateViewMatrix(), false)
+        shader.setUniform("projection_matrix", getCalculateProjectionMatrix(), false)
+    }
+}

@@ -74,6 +74,24 @@ class LightMistakesTest {
     }
 
     @Test
+    fun `the point light is missing where another one only flies about`() {
+        val flying = Transformable().apply { translateLocal(Vector3f(4f, 2f, 0f)) }
+        val rig = object : Rig() {
+            override val lamps get() = listOf(head, Lamp("flying", flying, POINT_K) { Vector3d(2.0, 1.0, 0.0) }) + corners
+
+            override fun update(
+                dt: Double,
+                t: Double,
+                keys: Set<Key>,
+            ) {
+                super.update(dt, t, keys)
+                flying.rotateAroundPoint(0f, dt.toFloat(), 0f, Vector3f())
+            }
+        }
+        rig.verdict().assertMistake(Mistake.LIGHT_MISSING, *allOfPoint)
+    }
+
+    @Test
     fun `without any point light that fades as it should nobody can say that they do`() {
         val rig = object : Rig() {
             override val lamps = listOf(head) + corners.map { Lamp(it.name, it.body, Vector3d(1.0, 0.0, 0.5), color = it.color) }

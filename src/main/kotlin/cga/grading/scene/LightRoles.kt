@@ -54,10 +54,19 @@ internal class LightRoles(
             // Many may ride along; the motorcycle's colour tells which is meant, then how near it is.
             val riding = points.filter { it.rides() }
             if (timeline.cast.driven && riding.isNotEmpty()) return riding.find { it.changesColor } ?: riding.minBy(near)
-            val close = points.filter { near(it) <= MEANT * cameraDistance(timeline) }
+            val close = points.filter { near(it) <= MEANT * cameraDistance(timeline) && wandered(it, timeline) < WANDERS * near(it) }
             // One of many around the motorcycle is none of its own.
             val nearest = close.minByOrNull(near)?.takeUnless { light -> points.any { it !== light && near(it) < APART * near(light) } }
             return points.find { it.changesColor } ?: nearest
+        }
+
+        /** How far [light] goes in the world while the motorcycle stands. */
+        private fun wandered(
+            light: LightTrack,
+            timeline: Timeline,
+        ): Double {
+            val places = (Moment.SECOND..Moment.TIME_4).let { range -> Moment.entries.filter { it in range } }.mapNotNull { timeline.world(light, it) }
+            return places.maxOfOrNull { it.distance(places[0]) } ?: 0.0
         }
 
         private fun LightTrack.rides() = placed.place?.rides == true
@@ -77,6 +86,9 @@ internal class LightRoles(
 
         /** How many times further away than its own light all others are. */
         private const val APART = 1.5
+
+        /** Times its distance: who goes that far about the world is no light of the motorcycle's. */
+        private const val WANDERS = 0.5
 
         /** A light that stays in the world is taken for the motorcycle's where it is no further away than this many times the camera. */
         private const val MEANT = 3.0

@@ -74,6 +74,15 @@ class LightMistakesTest {
     }
 
     @Test
+    fun `a headlight among the point lights shines twice, which is no position overwritten`() {
+        val rig = object : Rig() {
+            private val again = Lamp("point[1]", head.body, SPOT_K) { HEAD_COLOR }
+            override val lamps = listOf(own, again, head) + corners
+        }
+        rig.verdict().assertMistake(Mistake.UNKNOWN, Check.SPOT_LIGHT, least = 1.0)
+    }
+
+    @Test
     fun `the point light is missing where another one only flies about`() {
         val flying = Transformable().apply { translateLocal(Vector3f(4f, 2f, 0f)) }
         val rig = object : Rig() {

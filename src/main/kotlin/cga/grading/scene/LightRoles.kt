@@ -65,7 +65,10 @@ internal class LightRoles(
             light: LightTrack,
             timeline: Timeline,
         ): Double {
-            val places = (Moment.SECOND..Moment.TIME_4).let { range -> Moment.entries.filter { it in range } }.mapNotNull { timeline.world(light, it) }
+            val places = (Moment.SECOND..Moment.TIME_4)
+                .let { range ->
+                    Moment.entries.filter { it in range }
+                }.mapNotNull { timeline.world(light, it) }
             return places.maxOfOrNull { it.distance(places[0]) } ?: 0.0
         }
 

@@ -107,6 +107,10 @@ internal class PositionJudge(
         for (i in lights.indices) {
             val same = lights.drop(i + 1).filter { together(lights[i], it) && isOneNumber(lights[i], it) && !isTwin(lights[i], it) }
             if (same.isEmpty()) continue
+            if (same.all { isCopy(lights[i], it) }) {
+                twice(lights[i], same.first())
+                continue
+            }
             if (same.all { onOther(lights[i], it) }) {
                 notChild(lights[i], same.first())
                 continue
@@ -117,6 +121,24 @@ internal class PositionJudge(
             listOf(Mistake.LIGHT_NOT_CHILD, Mistake.SPOT_NOT_CHILD).forEach { if (book.has(it)) excuse(it, names) }
             return
         }
+    }
+
+    /** Whether one is a spotlight and the other the same light without its cone: a headlight that is in the list of point lights, too. */
+    private fun isCopy(
+        a: LightTrack,
+        b: LightTrack,
+    ): Boolean = a.isSpot != b.isSpot && timeline.frames.all { frame ->
+        val (one, other) = listOf(a, b).map { it.at(frame.moment)?.color ?: return@all true }
+        one.distance(other) <= SAME_COLOR * one.length()
+    }
+
+    private fun twice(
+        a: LightTrack,
+        b: LightTrack,
+    ) {
+        val (spot, point) = if (a.isSpot) a to b else b to a
+        book.spoilt(Check.SPOT_LIGHT, 1.0, "${spot.name} shines once more without a cone, as ${point.name}; wanted: as a spotlight only.")
+        book.found(Mistake.UNKNOWN, 1.0, 1.0, "${spot.name}, also ${point.name}")
     }
 
     /** Whether one position stands for both: not where each was sent by itself, by choice or because nobody ever moved either. */
@@ -192,6 +214,9 @@ internal class PositionJudge(
     }
 
     private companion object {
+        /** Relative: both are sent from the same numbers. */
+        const val SAME_COLOR = 1e-5
+
         /** Float matrices that hundreds of rotations were multiplied into stretch by 1e-4. */
         const val RIGID = 2e-3
 

@@ -1,0 +1,20 @@
+package cga.exercise.components.light
+
+import cga.exercise.components.geometry.Transformable
+import cga.exercise.components.shader.ShaderProgram
+import org.joml.Vector3f
+
+open class PointLight(position: Vector3f, var color: Vector3f) : Transformable(), IPointLight {
+
+    protected var attenuation = Vector3f(1.0f, 0.5f, 0.1f)
+
+    init {
+        translateGlobal(position)
+    }
+
+    override fun bind(shaderProgram: ShaderProgram, name: String) {
+        shaderProgram.setUniform("$name.position", getWorldPosition())
+        shaderProgram.setUniform("$name.color", color)
+        shaderProgram.setUniform("$name.attenuation", attenuation)
+    }
+}

@@ -117,7 +117,7 @@ internal class SharedCompiler(
         val UNHARMED = setOf(OK, "COMPILATION_ERROR")
 
         /** Of its whole life. The submission that takes it beyond is compiled by itself, with limits of its own. */
-        val LIMITS = Limits(wallSeconds = 1e6, cpuSeconds = 3600.0)
+        val LIMITS = Limits(wallSeconds = 1e6, cpuSeconds = 3600.0, lookSeconds = 0.5)
 
         /** Nanoseconds: ten times what a loaded machine needed for the first request, which is the slowest. */
         const val PATIENCE = 60_000_000_000

@@ -22,7 +22,8 @@ internal class Watch(
         var exceeded: Limit? = null
         try {
             exceeded = tree.breach()
-            while (exceeded == null && !process.waitFor(PERIOD, MILLISECONDS)) exceeded = tree.breach()
+            val period = (1000 * limits.lookSeconds).toLong()
+            while (exceeded == null && !process.waitFor(period, MILLISECONDS)) exceeded = tree.breach()
         } finally {
             // Also when this thread is interrupted: nothing is left behind.
             process.destroyForcibly()
@@ -78,7 +79,6 @@ internal class Watch(
     private fun elapsed() = (System.nanoTime() - started) / 1e9
 
     private companion object {
-        const val PERIOD = 50L
         const val DISK_PERIOD = 0.2
         const val DISK_SHARE = 10.0
         const val SIGNALLED = 128

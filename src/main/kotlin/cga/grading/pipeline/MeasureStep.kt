@@ -27,7 +27,7 @@ internal class MeasureStep(
     fun measure(submission: Submission, capture: Path, scratch: Path, folder: Path, run: Run): Findings {
         val first = scratch.resolve("first").createDirectories()
         val outcome = attempt(submission, capture, first, run)
-        // A driver has crashed once in 400 measurements, with shaders that it drew without fail a hundred times.
+        // Once in some 400 measurements the driver has crashed, with shaders that it drew sixty times without fail.
         if (outcome.end !is End.Signalled) return findings(outcome, first, folder)
         val second = scratch.resolve("second").createDirectories()
         return findings(attempt(submission, capture, second, run), second, folder)

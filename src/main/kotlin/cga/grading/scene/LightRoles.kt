@@ -65,10 +65,8 @@ internal class LightRoles(
             light: LightTrack,
             timeline: Timeline,
         ): Double {
-            val places = (Moment.SECOND..Moment.TIME_4)
-                .let { range ->
-                    Moment.entries.filter { it in range }
-                }.mapNotNull { timeline.world(light, it) }
+            val standing = Moment.entries.filter { it in Moment.SECOND..Moment.TIME_4 }
+            val places = standing.mapNotNull { timeline.world(light, it) }
             return places.maxOfOrNull { it.distance(places[0]) } ?: 0.0
         }
 

@@ -43,6 +43,8 @@ class ConeValuesTest {
         val (measured, found) = ConeValues.judge(ObservedCone(Vector3d(0.0, 0.0, -1.0), twice(15), twice(25)), "spot")
         assertEquals(Mistake.DEGREES_FOR_RADIANS, found?.mistake)
         assertEquals(1.0, measured.error)
+        val (inner, outer) = listOf(12, 24).map { acos(cos(twice(it)).toFloat().toDouble()) }
+        assertEquals(Mistake.DEGREES_FOR_RADIANS, mistake(inner, outer), "sent as cosines")
         // As narrow, and of nobody's degrees.
         assertEquals(null, mistake(0.0041, 0.0077))
     }

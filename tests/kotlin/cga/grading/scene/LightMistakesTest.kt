@@ -317,6 +317,19 @@ class LightMistakesTest {
     }
 
     @Test
+    fun `numbers sent beside an array are missed by the element that waits for them, however many lights are left`() {
+        val events = listOf(CapturedEvent(EventKind.UNIFORM_ABSENT, 0, "lampColors[-1]"))
+        val waiting = ProgramFacts(setOf("lampColors[3]"))
+        val verdict = Rig().verdict(events = events, uniforms = setOf("lampColors[3]"), program = waiting)
+        verdict.assertMistake(Mistake.UNIFORM_ABSENT, Check.MORE_LIGHTS)
+        // An array may be shorter than what is sent to it, where its own elements have all they need.
+        assertEquals(
+            emptyList<Mistake>(),
+            Rig().verdict(events = events, program = ProgramFacts(setOf("other[3]"))).mistakes.map { it.mistake },
+        )
+    }
+
+    @Test
     fun `the spotlight's position in the point light's uniform`() {
         val rig = object : Rig() {
             override fun position(lamp: Lamp, view: Matrix4d) = super.position(if (lamp === own) head else lamp, view)

@@ -112,8 +112,9 @@ internal class ExpectedFrame(
     }
 
     private fun angles(cone: ObservedCone): Pair<Double, Double> {
-        val given = listOf(cone.innerAngle, cone.outerAngle).filter { it.isFinite() }.map { it.coerceIn(0.0, PI / 2) }.sorted()
-        return if (given.size == 2) given[0] to given[1] else USUAL_INNER to USUAL_OUTER
+        val (inner, outer) = listOf(cone.innerAngle, cone.outerAngle).sorted()
+        val isMeant = inner >= 0 && outer <= PI / 2 && wrong.mistakes.none { it.mistake in OTHER_ANGLES }
+        return if (isMeant) inner to outer else USUAL_INNER to USUAL_OUTER
     }
 
     private fun k(light: ObservedLight): Vector3dc {
@@ -190,6 +191,9 @@ internal class ExpectedFrame(
         /** Table 1 of the sheet. */
         val POINT_K: Vector3dc = Vector3d(1.0, 0.5, 0.1)
         val SPOT_K: Vector3dc = Vector3d(0.5, 0.05, 0.01)
+
+        /** The cone's edges are not where they were meant to be. */
+        val OTHER_ANGLES = setOf(Mistake.DEGREES_FOR_RADIANS, Mistake.COSINE_OF_COSINE, Mistake.CONE_NEVER_SENT)
 
         /** The sheet names no angles; these are a headlight's. */
         const val USUAL_INNER = 12 * PI / 180

@@ -21,16 +21,12 @@ internal class CaptureStep(
     private val limits: Limits,
 ) {
     /**
-     * The capture file, which nobody has looked into yet, of [submission] started in [start]; a native crash is tried once more, as it may
-     * be the driver's. Throws [Stopped] where there is none.
+     * The capture file, which nobody has looked into yet, of [submission] started in [start]; see [SecondTry] for a crash. Throws [Stopped]
+     * where there is none.
      */
     fun capture(submission: Submission, start: Path, main: String, compiled: Compiled, scratch: Path, run: Run): Path {
-        fun attempt(folder: Path) = attempt(submission, start, main, compiled, folder.createDirectories(), run)
-        val first = scratch.resolve("first")
-        val outcome = attempt(first)
-        if (outcome.end !is End.Signalled) return captured(outcome, first)
-        val second = scratch.resolve("second")
-        return captured(attempt(second), second)
+        val (outcome, folder) = SecondTry.after(scratch) { attempt(submission, start, main, compiled, it, run) }
+        return captured(outcome, folder)
     }
 
     private fun attempt(submission: Submission, start: Path, main: String, compiled: Compiled, scratch: Path, run: Run): Outcome {

@@ -5,7 +5,6 @@ import cga.grading.findings.Check
 import cga.grading.findings.FailureReason
 import cga.grading.findings.Findings
 import cga.grading.findings.FindingsFile
-import cga.grading.sandbox.End
 import cga.grading.sandbox.JavaCommand
 import cga.grading.sandbox.Job
 import cga.grading.sandbox.Limits
@@ -14,7 +13,6 @@ import cga.grading.sandbox.SafeFiles
 import cga.grading.sandbox.Sandbox
 import cga.grading.submission.Submission
 import java.nio.file.Path
-import kotlin.io.path.createDirectories
 import kotlin.io.path.writeBytes
 
 /** Measures a capture in the sandbox, in a process that has none of the submission's classes: only its shaders run there. */
@@ -23,14 +21,10 @@ internal class MeasureStep(
     private val programs: Programs,
     private val limits: Limits,
 ) {
-    /** The findings, their pictures put into [folder]; a crash is tried once more. Throws [Stopped]. */
+    /** The findings, their pictures put into [folder]; see [SecondTry] for a crash. Throws [Stopped]. */
     fun measure(submission: Submission, capture: Path, scratch: Path, folder: Path, run: Run): Findings {
-        val first = scratch.resolve("first").createDirectories()
-        val outcome = attempt(submission, capture, first, run)
-        // Once in some 400 measurements the driver has crashed, with shaders that it drew sixty times without fail.
-        if (outcome.end !is End.Signalled) return findings(outcome, first, folder)
-        val second = scratch.resolve("second").createDirectories()
-        return findings(attempt(submission, capture, second, run), second, folder)
+        val (outcome, measured) = SecondTry.after(scratch) { attempt(submission, capture, it, run) }
+        return findings(outcome, measured, folder)
     }
 
     private fun attempt(submission: Submission, capture: Path, scratch: Path, run: Run): Outcome {

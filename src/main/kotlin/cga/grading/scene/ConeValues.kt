@@ -67,7 +67,7 @@ public object ConeValues {
 
     /** Whether [angle] is a whole number of degrees that was made radians twice. */
     private fun isOfTwice(angle: Double) =
-        angle > 0 && Math.toDegrees(angle).let { it < MOST_DEGREES * PI / STRAIGHT && isWhole(Math.toDegrees(it)) }
+        angle > 0 && (1..MOST_DEGREES).any { abs(cos(Math.toRadians(Math.toRadians(it.toDouble()))) - cos(angle)) <= ROUNDED }
 
     private fun degrees(angle: Double) = if (angle.isNaN()) "none" else "${Math.toDegrees(angle).text()}°"
 
@@ -77,10 +77,12 @@ public object ConeValues {
     /** As a cosine; a whole number of degrees is met by chance by one angle in a hundred, and by two hardly ever. */
     private const val CLOSE = 2e-4
 
+    /** What a cosine next to 1 is rounded by as a float: 2⁻²⁴ when it is made, and as much when it is read. */
+    private const val ROUNDED = 1.2e-7
+
     /** Degrees. */
     private const val WHOLE = 0.03
     private const val MOST_DEGREES = 90
-    private const val STRAIGHT = 180.0
     private const val WIDE = PI / 4
     private const val RIGHT_ANGLE = PI / 2 + SAME
     private const val HARD_EDGE = 0.5

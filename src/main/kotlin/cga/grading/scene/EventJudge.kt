@@ -28,6 +28,7 @@ internal class EventJudge(
         dead()
         unplaced()
         misspelt()
+        besideArray()
         beforeUse()
         absent()
         for (text in texts(EventKind.GL_ERROR)) book.note("OpenGL reported $text.")
@@ -95,6 +96,17 @@ internal class EventJudge(
         book.spoilt(Check.CONE, 1.0, "${lost.joinToString()} never arrives: it is sent under another name.")
         book.lacks(lost.joinToString(), setOf(Check.CONE, Check.SPOT_DIRECTION, Check.SPOT_LIGHT, Check.CONE_SPECULAR), CONES)
     }
+
+    /** Numbers that are sent to an element which an array does not have, while one that it has waits: a light is lost of however many. */
+    private fun besideArray() {
+        val asked = texts(EventKind.UNIFORM_ABSENT).mapNotNull(::arrayOf)
+        val lost = program.unset.orEmpty().filter { arrayOf(it) in asked && LIGHT_WORDS.containsMatchIn(it) }.ifEmpty { return }
+        book.spoilt(Check.MORE_LIGHTS, 1.0, "${lost.joinToString()} never arrives: it is sent to another element.")
+        book.lacks(lost.joinToString(), setOf(Check.MORE_LIGHTS, Check.MORE_LIGHTS_SHADING), setOf(Mistake.MORE_LIGHTS_MISSING))
+    }
+
+    /** What elements of one array have in common: their name without the number. */
+    private fun arrayOf(name: String): String? = if (ELEMENT in name) name.replaceFirst(ELEMENT, "[]") else null
 
     private fun absent() {
         val asked = texts(EventKind.UNIFORM_ABSENT).distinct()
@@ -182,6 +194,7 @@ internal class EventJudge(
         const val MOST_NAMES = 5
         const val LONGEST_NAME = 200
         const val TYPO = 2
+        val ELEMENT = Regex("\\[-?\\d+]")
         val COLOR_CALL = Regex("^glUniform3f.*(colou?r|farbe|emi|tint|glow)", RegexOption.IGNORE_CASE)
         val LIGHT_WORDS =
             Regex("light|licht|lamp|point|punkt|spot|colou?r|farbe|pos|dir|att|cone|angle|winkel|corner", RegexOption.IGNORE_CASE)

@@ -25,8 +25,5 @@ internal object LightPasses {
 
     private fun thing(draw: CapturedDraw, model: Matrix4dc): List<Any?> =
         with(draw) { attributes.map { it.buffer to it.offset } + listOf(indices, first, count, baseVertex) } +
-            List(16) { Math.round(model.get(it / 4, it % 4) * ROUND) }
-
-    /** As far as floats tell. */
-    private const val ROUND = 1e4
+            Spaces.rounded(model)
 }

@@ -71,14 +71,13 @@ internal class Observations(
         view: Matrix4dc,
     ): Matrix4dc = seen.spaces.model ?: view.invert(Matrix4d()).mul(seen.spaces.modelView)
 
-    /** What draws of one object have in common: model matrix and tint, as far as floats tell. */
+    /** What draws of one object have in common: model matrix and tint. */
     private fun key(
         seen: Seen,
         view: Matrix4dc,
     ): List<Any> {
-        val m = model(seen, view)
         val tint = seen.study.emission.tint?.let { seen.values[it.name]?.toList() } ?: emptyList<Float>()
-        return List(16) { Math.round(m.get(it / 4, it % 4) * 1e4) } + tint
+        return Spaces.rounded(model(seen, view)) + tint
     }
 
     private fun lights(

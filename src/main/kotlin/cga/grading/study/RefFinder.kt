@@ -147,12 +147,11 @@ internal class RefFinder(
         }
     }
 
+    /** The number sent that is nearest to [value]: the cosine of a narrow cone is nearly the 1 of something else. */
     private fun number(value: Double): NumberRef {
-        for (slot in slots) {
-            val index = values.getValue(slot.name).indexOfFirst { isNear(it.toDouble(), value) }
-            if (index >= 0 && value != 0.0) return NumberRef(slot.name, index, value)
-        }
-        return NumberRef(null, 0, value)
+        val sent = slots.flatMap { slot -> values.getValue(slot.name).mapIndexed { i, it -> Triple(slot.name, i, it.toDouble()) } }
+        val near = sent.filter { (_, _, number) -> isNear(number, value) }.minByOrNull { (_, _, number) -> abs(number - value) }
+        return if (near == null || value == 0.0) NumberRef(null, 0, value) else NumberRef(near.first, near.second, value)
     }
 
     /** Three numbers of a uniform, from number [first] on. */

@@ -27,8 +27,13 @@ class PhrasesTest {
                 "Die Drehachse geht in 12,5 % des Kameraabstands am Motorrad vorbei; erwartet: 0 %.",
             "The camera turns by 0.004000, 0.004000 rad a pixel; wanted 0.002000. | " +
                 "Die Kamera dreht sich um 0,004; 0,004 rad je Pixel; erwartet: 0,002.",
+            "Too late: the first frame has no position of a when the ground is drawn; the first frame lacks b when the motorcycle " +
+                "is drawn. | Zu spät: im ersten Bild fehlt die Position von a, wenn der Boden gezeichnet wird; im ersten Bild fehlt b, " +
+                "wenn das Motorrad gezeichnet wird.",
             "light corner1Color | Licht corner1Color",
             "Kotlin 2.2.21, language level 2.0 | Kotlin 2.2.21, Sprachstufe 2.0",
+            "lights[0].color: moves and turns with the motorcycle. | lights[0].color bewegt und dreht sich mit dem Motorrad.",
+            "a (is b meant?), c, d (is e meant?) | a (ist b gemeint?), c, d (ist e gemeint?)",
             "Missing because of that: the point light, the cone of spot. | Deshalb fehlt: das Punktlicht, der Kegel von spot.",
         ],
     )
@@ -57,11 +62,11 @@ class PhrasesTest {
     @Test
     fun `every phrase has German words, with the same places to fill in, and is itself found`() {
         for (block in Phrases.blocks()) {
-            val places = { text: String -> Regex("""\{(\d)!?}""").findAll(text).map { it.groupValues[1] }.sorted().toList() }
+            val places = { text: String -> Regex("""\{(\d)[!.]?}""").findAll(text).map { it.groupValues[1] }.sorted().toList() }
             val codes = block.drop(1).map { it.take(3) }
             assertTrue(codes == listOf("de:") || codes == listOf("en:", "de:")) { "$block" }
             for (words in block.drop(1)) assertTrue(places(words) == places(block[0]) || places(words).isEmpty()) { "$block" }
-            val example = Regex("""\{(\d)}""").replace(block[0]) { "place${it.groupValues[1]}" }
+            val example = Regex("""\{(\d)[.]?}""").replace(block[0]) { "place${it.groupValues[1]}" }
             assertTrue(german.knows(example) && english.knows(example)) { example }
             val words = block.last().removePrefix("de: ")
             assertFalse(Regex("""\b(the|and|of|is|by|wanted|no)\b""").containsMatchIn(words)) { words }

@@ -21,6 +21,8 @@ internal class Phrases private constructor(
 
     private fun translated(text: String, depth: Int): String? {
         if (depth > DEEPEST || text.length > LONGEST) return null
+        val sentences = text.split(SEPARATORS[0]).map { whole(it, depth) }
+        if (sentences.all { it != null }) return sentences.joinToString(SEPARATORS[0])
         whole(text, depth)?.let { return it }
         return SEPARATORS.firstNotNullOfOrNull { separator ->
             val parts = text.split(separator)
@@ -33,9 +35,9 @@ internal class Phrases private constructor(
         phrases.firstNotNullOfOrNull { phrase ->
             phrase.pattern.matchEntire(text)?.let { match ->
                 PLACE.replace(phrase.words) { place ->
-                    val (number, literally) = place.destructured
+                    val (number, kind) = place.destructured
                     val said = match.groupValues[number.toInt() + 1]
-                    if (literally.isEmpty()) argument(said, depth) else said
+                    if (kind.isEmpty()) argument(said, depth) else said
                 }
             }
         } ?: named(text)
@@ -60,7 +62,9 @@ internal class Phrases private constructor(
     private fun phrase(block: List<String>): Phrase {
         val said = block.drop(1).associate { it.substring(0, 2) to it.substring(CODE).removePrefix(" ") }
         // The last {n} of a line may hold a log of several.
-        val pattern = PLACE.split(block[0]).joinToString("([\\s\\S]*?)", transform = Regex::escape)
+        val between = PLACE.split(block[0]).map(Regex::escape)
+        val places = PLACE.findAll(block[0]).map { if (it.groupValues[2] == NAME) "(\\S+)" else "([\\s\\S]*?)" } + ""
+        val pattern = between.zip(places.toList()).joinToString("") { (text, place) -> text + place }
         return Phrase(Regex(pattern), PLACE.replace(block[0], "").length, said[messages.language.code] ?: block[0])
     }
 
@@ -68,7 +72,10 @@ internal class Phrases private constructor(
         private const val DEEPEST = 4
         private const val LONGEST = 4000
         private const val CODE = 3
-        private val PLACE = Regex("""\{(\d)(!?)}""")
+
+        /** Stands behind the number of a place that one word fills. */
+        private const val NAME = "."
+        private val PLACE = Regex("""\{(\d)([!.]?)}""")
         private val ZEROS = Regex("""(\.\d*?)0+(?![\de])""")
         private val POINT = Regex("""(?<=\d)\.(?=\d)""")
         private val NUMBERS = Regex("""[-+()\d.,;e°% ]*\d[-+()\d.,;e°% ]*""")

@@ -103,7 +103,7 @@ internal class ProgramStudy(
             val (look, colors, lit) = sight
             val decoded = look.box
             if (colors.lights.isEmpty() && box.program.uniforms.any { isUnseparated(it, box, colors, surface) }) {
-                throw InputError("the lights of program $number cannot be told apart: what each adds depends on the others")
+                throw InputError("the lights cannot be told apart: what each adds depends on the others")
             }
             val search = look.search
             val samples = LightSearch(decoded, surface).samples(LightSearch.FEW_DIRECTIONS)
@@ -170,10 +170,10 @@ internal class ProgramStudy(
             val values = program.values(draw)
             val formula =
                 GeometryFormula.of(rig, program, active, values)
-                    ?: throw InputError("no vertex attribute moves the vertices of program $number")
+                    ?: throw InputError("no vertex attribute moves the vertices")
             val matrices = program.uniforms.filter { it.type == GL_FLOAT_MAT4 && it.name in values }.map { it.name }
             val spaces =
-                Spaces.of(formula, matrices, values) ?: throw InputError("what program $number does with its matrices is not understood")
+                Spaces.of(formula, matrices, values) ?: throw InputError("what is done with its matrices is not understood")
             val sizes = draw.attributes.associate { it.location to it.size }
             val others = active - formula.positionLocation
             val normal = others.filter { sizes[it] == 3 }.let { threes ->

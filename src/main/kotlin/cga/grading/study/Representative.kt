@@ -24,7 +24,7 @@ internal object Representative {
                 capture.programs[number].attributes.values,
                 program.constants + latest.first().uniforms.associate { it.name to it.numbers },
             )
-                ?: throw InputError("no vertex attribute moves the vertices of program $number")
+                ?: throw InputError("no vertex attribute moves the vertices")
         return latest.maxBy { draw ->
             val values = draw.uniforms.associate { it.name to it.numbers }
             val model = if (program.matrices.all { it in values }) Spaces.of(formula, program.matrices, values)?.model else null

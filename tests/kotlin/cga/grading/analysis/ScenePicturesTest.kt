@@ -46,13 +46,12 @@ class ScenePicturesTest {
     private fun read(name: String?): ImageData = ImageData.read("${folder.resolve(checkNotNull(name))}")
 
     /** The share of pixels with a channel that differs by more than 2 of 255: one for rounding, one for float against double. */
-    private fun differing(evidence: Evidence): Double {
-        val (a, b) = read(evidence.measured).rgba to read(evidence.expected).rgba
-        return (0 until a.size / 4).count { p ->
-            (0..2).any { abs((a[4 * p + it].toInt() and 0xFF) - (b[4 * p + it].toInt() and 0xFF)) > 2 }
-        } /
-            (a.size / 4.0)
-    }
+    private fun differing(evidence: Evidence): Double = differing(read(evidence.measured).rgba, read(evidence.expected).rgba)
+
+    private fun differing(a: ByteArray, b: ByteArray): Double = (0 until a.size / 4).count { p ->
+        (0..2).any { abs((a[4 * p + it].toInt() and 0xFF) - (b[4 * p + it].toInt() and 0xFF)) > 2 }
+    } /
+        (a.size / 4.0)
 
     private fun brightness(image: ImageData): Double =
         image.rgba.indices.filter { it % 4 != 3 }.sumOf { image.rgba[it].toInt() and 0xFF } / (image.rgba.size * 0.75)
@@ -77,6 +76,31 @@ class ScenePicturesTest {
         val whole = pictures(fragment.replace("vec4(result, 1.0)", "vec4(pow(result, vec3(1.0 / 2.2)), 1.0)")).first()
         // Texels of 8 bits that are decoded to 8 bits are off by half of 1/255, which the encoding of what is dark makes 2 and more.
         assertTrue(differing(whole) < 0.05) { "${differing(whole)}" }
+    }
+
+    @Test
+    fun `a cone that is inside out is expected about the axis that was meant`() {
+        fun expected(fragment: String) = brightness(read(pictures(fragment).first().expected))
+        val swapped = "clamp((theta - inner) / (outer - inner), 0.0, 1.0)"
+        val right = expected(CourseShaders.FRAGMENT)
+        val inverted = expected(CourseShaders.FRAGMENT.replace("clamp((theta - outer) / (inner - outer), 0.0, 1.0)", swapped))
+        // The edges are measured, to some 1e-5 of a radian: nothing that an average of all pixels shows.
+        assertEquals(right, inverted, 0.01)
+    }
+
+    @Test
+    fun `light multiplied with what glows is expected with the textures where they are`() {
+        val product = CourseShaders.FRAGMENT
+            .replace(
+                "* attenuate(",
+                "* emission * attenuate(",
+            ).replace("result = emission;", "result = vec3(0.0);")
+
+        // Of a light alone, as no colour of what glows is known.
+        fun expected(fragment: String) = read(pictures(fragment).single { it.check == Check.SPOT_LIGHT }.expected).rgba.copyOf()
+        val off = differing(expected(product), expected(CourseShaders.FRAGMENT))
+        // Coordinates are the root of what shows: what floats lose of it, 1e-8, is 1e-4 of a texture, a few hundredths of a texel.
+        assertTrue(off < 0.03) { "$off" }
     }
 
     @Test

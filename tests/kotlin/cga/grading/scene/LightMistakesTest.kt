@@ -14,6 +14,8 @@ import org.junit.jupiter.api.Assertions.assertEquals
 import org.junit.jupiter.api.Assertions.assertNotNull
 import org.junit.jupiter.api.Assertions.assertTrue
 import org.junit.jupiter.api.Test
+import org.junit.jupiter.params.ParameterizedTest
+import org.junit.jupiter.params.provider.ValueSource
 import kotlin.math.pow
 
 /** What can be wrong with the places of the lights. */
@@ -314,6 +316,19 @@ class LightMistakesTest {
         val verdict = rig.verdict(events = events, uniforms = setOf("lightPosition"))
         assertEquals(Mistake.UNIFORM_ABSENT, verdict.mistakes.first().mistake, verdict.text())
         verdict.assertCosts(Check.POINT_LIGHT_POSITION)
+    }
+
+    @ParameterizedTest
+    @ValueSource(doubles = [1.02, 0.98, 22.0])
+    fun `a colour that is multiplied at each picture again keeps no strength`(factor: Double) {
+        // At the end of the script, after some 500 pictures, 22⁵⁰⁰ is no number any more, and 1.02⁵⁰⁰ is 2·10⁴.
+        val rig = object : Rig() {
+            override val lamps = listOf(own, head) +
+                Lamp("grown", corners[0].body, POINT_K) { t -> Vector3d(0.1, 0.0, 0.0).mul(factor.pow(60 * t)) } + corners.drop(1)
+        }
+        val verdict = rig.verdict()
+        verdict.assertMistake(Mistake.UNKNOWN, Check.MORE_LIGHTS)
+        assertEquals("grown", verdict.mistakes.single().where)
     }
 
     @Test

@@ -101,18 +101,20 @@ internal class ExpectedFrame(
         fromView: Matrix4d,
     ): FrameSpotLight? {
         val isWorld = wrong.mistakes.any { it.mistake == Mistake.SPOT_DIRECTION_WORLD }
-        val isReversed = wrong.mistakes.any { it.mistake == Mistake.SPOT_DIRECTION_SIGN }
+        // Lit but for a cone is what an inverted one is about its own axis.
+        val isInverted = minOf(cone.innerAngle, cone.outerAngle) > PI / 2
+        val isReversed = isInverted != wrong.mistakes.any { it.mistake == Mistake.SPOT_DIRECTION_SIGN }
         val direction = Vector3d(cone.direction)
             .let {
                 if (isWorld) it else fromView.transformDirection(it)
             }.normalize(if (isReversed) -1.0 else 1.0)
         if (!direction.isFinite) return null
-        val (inner, outer) = angles(cone)
+        val (inner, outer) = angles(listOf(cone.innerAngle, cone.outerAngle).map { if (isInverted) PI - it else it })
         return point(light, fromView)?.let { FrameSpotLight(it, direction.normalize(), inner.toFloat(), outer.toFloat()) }
     }
 
-    private fun angles(cone: ObservedCone): Pair<Double, Double> {
-        val (inner, outer) = listOf(cone.innerAngle, cone.outerAngle).sorted()
+    private fun angles(edges: List<Double>): Pair<Double, Double> {
+        val (inner, outer) = edges.sorted()
         val isMeant = inner >= 0 && outer <= PI / 2 && wrong.mistakes.none { it.mistake in OTHER_ANGLES }
         return if (isMeant) inner to outer else USUAL_INNER to USUAL_OUTER
     }

@@ -57,11 +57,15 @@ internal class Materials(
     /** The uniform of program [number] that is ambient light. */
     fun ambientUniform(number: Int): String? = studies[number]?.emission?.ambient?.name
 
-    /** The surfaces of [frame], seen through [view]; null where one of them is not understood. */
+    /** The surfaces of [frame], seen through [view], without what no light falls on; null where one of them is not understood. */
     fun of(
         frame: CapturedFrame,
         view: Matrix4dc,
-    ): List<Surface>? = frame.steps.filterIsInstance<CapturedDraw>().map { surface(it, view) ?: return null }
+    ): List<Surface>? =
+        frame.steps
+            .filterIsInstance<CapturedDraw>()
+            .filter { studies[it.program]?.isOfScene != false }
+            .map { surface(it, view) ?: return null }
 
     private fun surface(
         draw: CapturedDraw,
@@ -158,13 +162,15 @@ internal class Materials(
         return vertices to indices
     }
 
-    /** [values] with every colour white, so that all that is textured shows. */
+    /** [values] with every colour white, and with what the picture cannot be without, so that all that is textured shows. */
     private fun lit(
         program: Int,
         values: Map<String, FloatArray>,
     ): Map<String, FloatArray> {
-        val colors = studies.getValue(program).colors
-        return values + Setting().withColors(colors.flats + colors.factors + colors.lights, 1.0).values
+        val study = studies.getValue(program)
+        val colors = study.colors
+        return values + study.box.values.filterKeys(study.deadly::contains) +
+            Setting().withColors(colors.flats + colors.factors + colors.lights, 1.0).values
     }
 
     private fun texCoords(
@@ -177,12 +183,20 @@ internal class Materials(
         // Vectors of two numbers and single ones are all that texture coordinates are scaled by.
         val scales = draw.uniforms.filter { it.numbers.size <= 2 }.flatMap { it.numbers.toList() }
         val roles = study.roles
-        // What glows shows everywhere, what is lit where light falls.
-        val glowing = roles?.emission.takeIf { roles?.multiplied == false }
-        val samplers = listOfNotNull(glowing, roles?.diffuse).associateWith { roles?.powers?.get(it) }
+        // What glows shows everywhere, what is lit where light falls, and the product of both where light falls on what glows.
+        val glowing = listOfNotNull(roles?.emission)
+        val lit = listOfNotNull(roles?.diffuse)
+        val shown = if (roles?.multiplied == true) listOf(glowing + lit) else listOf(glowing, lit)
         return coordinates.getOrPut(listOf(draw.program, pairs, scales)) {
             val reading = Reading(rig, capture.programs[draw.program], draw.attributes.map { it.location }, values, study.exponent)
-            samplers.firstNotNullOfOrNull { (sampler, power) -> TexCoords.of(reading, pairs, sampler, power) }
+            shown.filter { it.isNotEmpty() }.firstNotNullOfOrNull {
+                TexCoords.of(
+                    reading,
+                    pairs,
+                    it.toSet(),
+                    roles?.powers?.get(it.last()),
+                )
+            }
         }
     }
 

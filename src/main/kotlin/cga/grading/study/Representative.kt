@@ -16,7 +16,8 @@ internal object Representative {
         number: Int,
         draws: List<CapturedDraw>,
     ): CapturedDraw {
-        val latest = draws.asReversed().take(MOST)
+        // Numbers that grow from picture to picture leave nothing to be seen in the last.
+        val latest = draws.asReversed().filter(::isMeasured).ifEmpty { draws.asReversed() }.take(MOST)
         val formula =
             GeometryFormula.of(
                 rig,
@@ -48,6 +49,11 @@ internal object Representative {
         }
     }
 
+    private fun isMeasured(draw: CapturedDraw) = draw.uniforms.all { uniform -> uniform.numbers.all { abs(it) < LARGEST } }
+
     private const val MOST = 200
+
+    /** Brighter than any light of which a picture shows more than white. */
+    private const val LARGEST = 1e6
     private const val APART = 0.1
 }

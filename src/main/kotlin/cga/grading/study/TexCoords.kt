@@ -25,20 +25,20 @@ internal class TexCoords(
 
     companion object {
         /**
-         * Finds out by having the texture of [sampler] show where it is read, its colours raised to [power], which is tried out where it is
-         * null. Null where that cannot be compiled or gives no straight line.
+         * Finds out by having the textures of [samplers], which are multiplied, show where they are read, their colours raised to [power],
+         * which is tried out where it is null. Null where that cannot be compiled or gives no straight line.
          */
         fun of(
             reading: Reading,
             pairs: List<Int>,
-            sampler: String,
+            samplers: Set<String>,
             power: Double?,
         ): TexCoords? =
             try {
                 ProbeProgram(reading.shown()).use { where ->
                     ProbeProgram(reading.captured).use { usual ->
                         val powers = listOfNotNull(power).ifEmpty { POWERS }
-                        powers.firstNotNullOfOrNull { measure(Shown(reading, where, usual, sampler, it), pairs) }
+                        powers.firstNotNullOfOrNull { measure(Shown(reading, where, usual, samplers, it), pairs) }
                     }
                 }
             } catch (_: InputError) {
@@ -95,15 +95,15 @@ internal class Reading(
         )
 }
 
-/** A program that shows where it reads the texture of [sampler], beside the same that reads a grey one; all others are black. */
+/** A program that shows where it reads the textures of [samplers], beside the same that reads grey ones; all others are black. */
 private class Shown(
     private val reading: Reading,
     private val where: ProbeProgram,
     private val usual: ProbeProgram,
-    private val sampler: String,
+    private val samplers: Set<String>,
     private val power: Double,
 ) {
-    val read = mapOf(sampler to power)
+    val read = samplers.associateWith { power }
 
     /** Red and green for the attribute [location] at ([u], [v]) as texture coordinates; null where nothing shows. */
     fun at(
@@ -117,7 +117,12 @@ private class Shown(
         val dark = light(usual, feed, 0.0)
         val full = light(usual, feed, ColorSlots.DARK)
         val read = light(where, feed, 1.0)
-        val shares = (0..1).map { ColorSlots.DARK * max((read[it] - dark[it]) / (full[it] - dark[it]), 0.0).pow(1 / power) }
+        val shares = (0..1).map {
+            ColorSlots.DARK * max(
+                (read[it] - dark[it]) / (full[it] - dark[it]),
+                0.0,
+            ).pow(1 / (power * samplers.size))
+        }
         return shares.takeIf { all -> all.all { it.isFinite() } }
     }
 
@@ -126,7 +131,7 @@ private class Shown(
         feed: Feed,
         texel: Double,
     ): List<Double> {
-        val texels = usual.samplers.associate { it.name to FloatArray(3) { _ -> if (it.name == sampler) texel.toFloat() else 0f } }
+        val texels = usual.samplers.associate { it.name to FloatArray(3) { _ -> if (it.name in samplers) texel.toFloat() else 0f } }
         val colors = reading.rig.points(program, feed, program.constants + reading.values, texels)
         return (0..1).map { max(colors[it].toDouble(), 0.0).pow(reading.gamma) }
     }

@@ -321,14 +321,29 @@ class LightMistakesTest {
     @ParameterizedTest
     @ValueSource(doubles = [1.02, 0.98, 22.0])
     fun `a colour that is multiplied at each picture again keeps no strength`(factor: Double) {
-        // At the end of the script, after some 500 pictures, 22⁵⁰⁰ is no number any more, and 1.02⁵⁰⁰ is 2·10⁴.
+        val color = Vector3d(9.0, 0.0, 0.0)
         val rig = object : Rig() {
-            override val lamps = listOf(own, head) +
-                Lamp("grown", corners[0].body, POINT_K) { t -> Vector3d(0.1, 0.0, 0.0).mul(factor.pow(60 * t)) } + corners.drop(1)
+            override val lamps = listOf(own, head) + Lamp("grown", corners[0].body, POINT_K) { Vector3d(color.mul(factor)) } + corners.drop(1)
         }
         val verdict = rig.verdict()
         verdict.assertMistake(Mistake.UNKNOWN, Check.MORE_LIGHTS)
         assertEquals("grown", verdict.mistakes.single().where)
+    }
+
+    @Test
+    fun `a light that is sent and that no shader draws with is missing, and no other one is taken for it`() {
+        open class Rest : Rig() {
+            override val lamps =
+                listOf(head, Lamp("near", lamp(Vector3f(2f, 1f, 2f), null), POINT_K) { Vector3d(3.0, 2.0, 1.0) }) + corners
+        }
+        // With nothing sent beside, the nearest one is the one that was meant.
+        assertTrue(Rest().verdict()[Mistake.LIGHT_NOT_CHILD]?.where == "near")
+        val rig = object : Rest() {
+            override fun frame(moment: Moment, t: Double) = super.frame(moment, t).run {
+                ObservedFrame(moment, t, view, projection, objects, lights, listOf(observed(own, t, Matrix4d(view))))
+            }
+        }
+        rig.verdict().assertMistake(Mistake.LIGHT_MISSING, *allOfPoint)
     }
 
     @Test
@@ -442,21 +457,6 @@ class LightMistakesTest {
         with(red(9f), blue(4f)).assertRight()
         val samePlace = with(red(9f), blue(9f))
         assertEquals(0.5, samePlace[Check.MORE_LIGHTS]?.error, samePlace.text())
-    }
-
-    @Test
-    fun `further lights that lose a share of their light with each picture are none in the end`() {
-        var pictures = 0
-        val rig = object : Rig() {
-            override fun lights(moment: Moment, t: Double, view: Matrix4d): List<ObservedLight> {
-                val left = 0.95.pow(pictures++)
-                return super.lights(moment, t, view).map {
-                    val color = if (it.name in corners.map(Lamp::name)) Vector3d(it.color).mul(left) else it.color
-                    ObservedLight(it.name, it.position, color, it.k, it.spot)
-                }
-            }
-        }
-        rig.verdict().assertMistake(Mistake.MORE_LIGHTS_MISSING, least = 1.0)
     }
 
     /** Of a scene whose light positions in view space are what [place] says. */

@@ -2,6 +2,7 @@ package cga.grading.scene
 
 import cga.grading.findings.Check
 import cga.grading.findings.Mistake
+import kotlin.math.abs
 
 /** Do the lights keep their strength? A vector that is multiplied in place, at each picture again, grows without end or dies away. */
 internal class DriftJudge(
@@ -10,38 +11,30 @@ internal class DriftJudge(
     private val book: Notebook,
 ) {
     fun judge() {
-        val own = listOfNotNull(roles.own).map { it to Check.POINT_LIGHT }
+        // The motorcycle's light may change as it likes, and so for a while by a factor.
+        val own = listOfNotNull(roles.own).filter { strengths(it).run { min() * FAR < max() } }.map { it to Check.POINT_LIGHT }
         val spot = listOfNotNull(roles.spot).map { it to Check.SPOT_LIGHT }
-        val all = (own + spot + roles.further.map { it to Check.MORE_LIGHTS }).filter { (light, _) -> drifts(light.name) }
+        val all = (own + spot + roles.further.map { it to Check.MORE_LIGHTS }).filter { (light, _) -> drifts(light) }
         if (all.isEmpty()) return
         val names = all.joinToString { (light, _) -> light.name }
         for (check in all.map { it.second }.distinct()) {
-            book.spoilt(
-                check,
-                1.0,
-                "From picture to picture the light of $names grows or dies away; wanted: light that keeps its strength.",
-            )
+            book.spoilt(check, 1.0, "From picture to picture the light of $names grows or dies away; wanted: light that keeps its strength.")
         }
         book.found(Mistake.UNKNOWN, 1.0, 1.0, names)
     }
 
-    private fun drifts(name: String): Boolean {
-        val strengths = frames.mapNotNull { frame -> frame.lights.find { it.name == name }?.let(::strength) }.dropWhile { it == 0.0 }
-        return grows(strengths) || grows(strengths.asReversed())
+    /** Whether it is multiplied with the same share at each picture, however long after the one before. */
+    private fun drifts(light: LightTrack): Boolean {
+        val shares = strengths(light).zipWithNext { before, now -> now / before }
+        return shares.size >= FEWEST && shares.all { abs(it - 1) > LEAST && abs(it / shares[0] - 1) < SAME_SHARE }
     }
 
-    /** Step by step: what is switched on or off takes one. */
-    private fun grows(strengths: List<Double>): Boolean =
-        strengths.distinct().size >= STEPS && strengths.zipWithNext().all { (a, b) -> a <= b } && strengths.last() > FAR * strengths.first()
-
-    /** What no float holds any more has grown beyond all. */
-    private fun strength(light: ObservedLight): Double =
-        if (light.color.isFinite) light.color.maxAbs() else Double.POSITIVE_INFINITY
+    private fun strengths(light: LightTrack): List<Double> = frames.mapNotNull { light.at(it.moment)?.color?.maxAbs() }
 
     private companion object {
-        const val STEPS = 3
-
-        /** A light that is given a thousandth at one time and all of it at another would be seen as none. */
-        const val FAR = 1e3
+        const val FAR = 100
+        const val FEWEST = 3
+        const val LEAST = 0.01
+        const val SAME_SHARE = 1e-3
     }
 }

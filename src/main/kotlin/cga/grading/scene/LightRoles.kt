@@ -30,7 +30,7 @@ internal class LightRoles(
             // One kind of light for all: then each has a cone.
             val spots = if (cones.size > 1 && cones.size == shining.size) listOf(headlight(cones)) else cones
             val points = shining - spots.toSet()
-            val own = own(points, timeline)
+            val own = own(points, timeline).takeUnless { found -> found?.rides() != true && idles(timeline) }
             val others = points - setOfNotNull(own).toSet()
             // The headlight rides along too.
             val meant = if (canCone && spots.isEmpty() && timeline.cast.driven) others.find { it.rides() } else null
@@ -58,6 +58,13 @@ internal class LightRoles(
             // One of many around the motorcycle is none of its own.
             val nearest = close.minByOrNull(near)?.takeUnless { light -> points.any { it !== light && near(it) < APART * near(light) } }
             return points.find { it.changesColor } ?: nearest
+        }
+
+        /** Whether the motorcycle's light is sent and never drawn with: then another one is none that was meant to be it. */
+        private fun idles(timeline: Timeline): Boolean {
+            val idle = LightTrack.all(timeline.frames, ObservedFrame::idle).filter { it.shines }
+            Placed.all(idle, timeline)
+            return idle.any { it.rides() && it.placed.static > Placed.HOLDS }
         }
 
         /** How far [light] goes in the world while the motorcycle stands. */

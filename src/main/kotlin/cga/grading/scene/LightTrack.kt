@@ -43,11 +43,11 @@ internal class LightTrack(
         const val DARK = 1e-6
         private const val CHANGE = 0.02
 
-        /** All lights of all frames, in the order in which they first appear. */
-        fun all(frames: List<ObservedFrame>): List<LightTrack> {
+        /** All lights of all [frames], in the order in which they first appear; [of] a frame others than those that are drawn with. */
+        fun all(frames: List<ObservedFrame>, of: (ObservedFrame) -> List<ObservedLight> = ObservedFrame::lights): List<LightTrack> {
             val states = LinkedHashMap<String, LinkedHashMap<Moment, ObservedLight>>()
             for (frame in frames) {
-                for (light in frame.lights) {
+                for (light in of(frame)) {
                     if (light.position.isFinite && light.color.isFinite) {
                         states.getOrPut(light.name) { LinkedHashMap() }.putIfAbsent(frame.moment, light)
                     }

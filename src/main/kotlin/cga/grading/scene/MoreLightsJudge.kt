@@ -3,7 +3,6 @@ package cga.grading.scene
 import cga.grading.findings.Check
 import cga.grading.findings.Mistake
 import org.joml.Vector3d
-import kotlin.math.abs
 import kotlin.math.max
 
 /** Task 4.6: further point lights, of different colours and at different places. */
@@ -13,16 +12,16 @@ internal class MoreLightsJudge(
     private val book: Notebook,
 ) {
     fun judge() {
-        val further = roles.further.filterNot(::burnsDown)
+        val further = roles.further
         val places = further.filter { light -> further.takeWhile { it !== light }.none { samePlace(it, light) } }
         val colors = further.filter { light -> further.takeWhile { it !== light }.none { sameColor(it, light) } }
         val counted = minOf(places.size, colors.size)
         val error = max(0.0, 1 - counted / WANTED)
         val text = "${further.size} further point lights at ${places.size} places, in ${colors.size} colours"
         val full = "$text; wanted: ${WANTED.toInt()} or more of each."
-        if (roles.further.isEmpty()) book.absent(Check.MORE_LIGHTS, full) else book.measured(Check.MORE_LIGHTS, error, full)
-        if (error > 0 && places.size >= WANTED && roles.further.all(::takesOwnColor)) {
-            val names = roles.further.joinToString { it.name }
+        if (further.isEmpty()) book.absent(Check.MORE_LIGHTS, full) else book.measured(Check.MORE_LIGHTS, error, full)
+        if (error > 0 && places.size >= WANTED && further.all(::takesOwnColor)) {
+            val names = further.joinToString { it.name }
             book.found(Mistake.LATER_LIGHTS_FIRST_COLOR, 0.0, error, names, explains = setOf(Check.MORE_LIGHTS))
         } else if (error > 0 && further.size >= WANTED) {
             book.found(Mistake.MORE_LIGHTS_ALIKE, 0.0, error, text)
@@ -30,13 +29,6 @@ internal class MoreLightsJudge(
             book.found(Mistake.MORE_LIGHTS_MISSING, 0.0, error, text)
             book.lacks("the further lights", setOf(Check.MORE_LIGHTS, Check.MORE_LIGHTS_SHADING), setOf(Mistake.MORE_LIGHTS_MISSING))
         }
-    }
-
-    /** Whether [light] loses the same share of its light with each picture, however long after the one before: in the end nothing is left. */
-    private fun burnsDown(light: LightTrack): Boolean {
-        val levels = timeline.frames.mapNotNull { light.at(it.moment)?.color?.maxAbs() }
-        val shares = levels.zipWithNext { before, now -> now / before }
-        return shares.size > 2 && shares.all { it < LESS && abs(it - shares[0]) < SAME_SHARE }
     }
 
     /** Whether [light] follows the colour that the motorcycle's light has, which changes with time. */
@@ -73,8 +65,5 @@ internal class MoreLightsJudge(
         /** World units. */
         const val APART = 0.1
         const val DIFFERENT = 0.05
-
-        const val LESS = 0.99
-        const val SAME_SHARE = 1e-3
     }
 }

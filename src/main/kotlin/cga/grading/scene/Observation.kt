@@ -9,6 +9,7 @@ import org.joml.Vector3dc
  *
  * @param view world space → view space as the shaders use it; it may be anything, also stretched.
  * @param projection view space → clip space.
+ * @param idle what is sent as a light and drawn with by no shader.
  */
 public class ObservedFrame(
     public val moment: Moment,
@@ -17,6 +18,7 @@ public class ObservedFrame(
     public val projection: Matrix4dc,
     public val objects: List<ObservedObject>,
     public val lights: List<ObservedLight>,
+    public val idle: List<ObservedLight> = emptyList(),
 )
 
 /**

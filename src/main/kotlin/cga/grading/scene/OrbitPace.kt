@@ -31,6 +31,11 @@ internal class OrbitPace(
     private fun factor(sideways: List<Pair<MouseMove, Turn>>): Double {
         val wanted = expected ?: sideways.minOf { (move, turn) -> turn.angle / abs(move.x) }
         val paces = sideways.map { (move, turn) -> turn.angle / abs(move.x) }
+        if (expected != null && book.has(Mistake.ORBIT_PIVOT) && paces.max() > (1 + UNEVEN) * paces.min() && paces.max() < UNLIKE * paces.min()) {
+            val text = "The camera turns unevenly, as it circles one place and looks at another: that costs at the pivot."
+            book.measured(Check.ORBIT_FACTOR, 0.0, text)
+            return wanted
+        }
         // Where the camera does not hear of every move and one disagrees, the position before it was not followed: its own numbers tell.
         val pace = paces.minBy { abs(it / wanted - 1) }
         val isDeaf = sideways.size < MouseMove.ALL.count(::isSideways)
@@ -100,6 +105,10 @@ internal class OrbitPace(
     private companion object {
         /** Relative. */
         const val AGREES = 0.005
+
+        /** What looking at something else makes of even turns, and a wrong factor does not; what adds up is off by more. */
+        const val UNEVEN = 0.01
+        const val UNLIKE = 1.5
         const val NAMED = 0.02
     }
 }

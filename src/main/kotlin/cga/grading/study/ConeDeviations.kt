@@ -90,6 +90,12 @@ internal object ConeDeviations {
                 } else {
                     null
                 }
+            // An angle that was a cosine already, and a cosine taken of it: the narrower one is the wider now.
+            AngleForm.COSINE ->
+                sent.map { acos(it.coerceIn(-1.0, 1.0)) }.let { angles ->
+                    val isTwice = angles[0] > angles[1] && angles.all(ConeWords::isRoundCosine) && angles.none(ConeWords::isRound)
+                    if (isTwice) Mistake.COSINE_OF_COSINE else null
+                }
             AngleForm.DEGREES -> if (sent.all { it < PI / 2 && ConeWords.isRound(it) && it > 0 }) Mistake.DEGREES_FOR_RADIANS else null
             else -> null
         }

@@ -14,6 +14,9 @@ internal class NumberRef(
     private val index: Int,
     private val constant: Double,
 ) {
+    /** The same number of [element] of an array. */
+    fun of(element: String) = NumberRef(name?.replaceFirst(IdleElements.ELEMENT, element), index, constant)
+
     /** The number that [values] give. */
     fun of(values: Map<String, FloatArray>): Double = name?.let { values[it]?.getOrNull(index)?.toDouble() } ?: constant
 }
@@ -31,6 +34,9 @@ internal class VectorRef(
     private val constant: Vector3dc,
     private val first: Int = 0,
 ) {
+    /** The same of [element] of an array. */
+    fun of(element: String) = VectorRef(name?.replaceFirst(IdleElements.ELEMENT, element), space, factor, constant, first)
+
     /** Whether it is a uniform in world space. */
     val isViewed: Boolean get() = name != null && space == Space.WORLD
 
@@ -66,7 +72,7 @@ internal class VectorRef(
  */
 internal class LightRefs(
     private val name: String,
-    private val color: String,
+    val color: String,
     private val scale: Double,
     private val position: VectorRef,
     private val k: List<NumberRef>,
@@ -110,6 +116,14 @@ internal class LightRefs(
             placedBy = position.name,
             isViewed = position.isViewed,
         )
+    }
+
+    /** The point light of [element] in the arrays that this one's numbers are in; null where its place is in none of the [active] uniforms. */
+    fun sentTo(element: String, active: Set<String>): LightRefs? {
+        val slot = color.replaceFirst(IdleElements.ELEMENT, element)
+        val place = position.of(element)
+        if (cone != null || place.name == position.name || place.name !in active) return null
+        return LightRefs(slot, slot, scale, place, k.map { it.of(element) }, null)
     }
 
     private fun angle(

@@ -21,6 +21,7 @@ internal class Observations(
     private val studies: Map<Int, ProgramStudy>,
 ) {
     private val refs = studies.mapValues { (_, study) -> study.lights.flatMap { LightRefs.of(it, study) } }
+    private val idle = studies.mapValues { (number, study) -> IdleElements.of(study, refs.getValue(number)) }
     private val positions = HashMap<List<Any?>, FloatArray>()
 
     private class Seen(
@@ -51,7 +52,9 @@ internal class Observations(
                     isTintWritten = program.emission.tint?.name in program.box.program.constants,
                 )
             }
-        return ObservedFrame(frame.moment, frame.time, view, last.spaces.projection, objects, lights.getValue(last))
+        return ObservedFrame(
+            frame.moment, frame.time, view, last.spaces.projection, objects, lights.getValue(last), idle(last, view),
+        )
     }
 
     private fun look(draw: CapturedDraw): Seen? {
@@ -79,6 +82,9 @@ internal class Observations(
         val tint = seen.study.emission.tint?.let { seen.values[it.name]?.toList() } ?: emptyList<Float>()
         return Spaces.rounded(model(seen, view)) + tint
     }
+
+    private fun idle(seen: Seen, view: Matrix4dc): List<ObservedLight> =
+        idle.getValue(seen.draw.program).map { it.light(seen.values, seen.spaces.view ?: view, seen.spaces) }
 
     private fun lights(
         seen: Seen,

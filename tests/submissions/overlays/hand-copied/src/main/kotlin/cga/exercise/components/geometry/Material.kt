@@ -1,0 +1,24 @@
+package cga.exercise.components.geometry
+
+import cga.exercise.components.shader.ShaderProgram
+import cga.exercise.components.texture.Texture2D
+import org.joml.Vector2f
+
+class Material(
+    var diff: Texture2D,
+    var emit: Texture2D,
+    var specular: Texture2D,
+    var shininess: Float = 50.0f,
+    var tcMultiplier: Vector2f = Vector2f(1.0f)
+) {
+    fun bind(shaderProgram: ShaderProgram) {
+        shaderProgram.setUniform("tc_mul", tcMultiplier)
+        shaderProgram.setUniform("shininess", shininess)
+        emit.bind(0)
+        diff.bind(1)
+        specular.bind(2)
+        shaderProgram.setUniform("tex_emit", 0)
+        shaderProgram.setUniform("tex_diff", 1)
+        shaderProgram.setUniform("tex_spec", 2)
+    }
+}

@@ -1,0 +1,19 @@
+package cga.exercise.components.light
+
+import cga.exercise.components.geometry.Transformable
+import cga.exercise.components.shader.ShaderProgram
+import org.joml.Vector3f
+
+open class PointLight(pos: Vector3f, var col: Vector3f) : Transformable(), IPointLight {
+    var att = Vector3f(1.0f, 0.5f, 0.1f)
+
+    init {
+        translateGlobal(pos)
+    }
+
+    override fun bind(shaderProgram: ShaderProgram, name: String) {
+        shaderProgram.setUniform(name + "_pos", getWorldPosition())
+        shaderProgram.setUniform(name + "_col", col)
+        shaderProgram.setUniform(name + "_att", att)
+    }
+}

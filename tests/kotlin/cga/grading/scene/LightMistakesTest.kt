@@ -323,7 +323,8 @@ class LightMistakesTest {
     fun `a colour that is multiplied at each picture again keeps no strength`(factor: Double) {
         val color = Vector3d(9.0, 0.0, 0.0)
         val rig = object : Rig() {
-            override val lamps = listOf(own, head) + Lamp("grown", corners[0].body, POINT_K) { Vector3d(color.mul(factor)) } + corners.drop(1)
+            override val lamps =
+                listOf(own, head) + Lamp("grown", corners[0].body, POINT_K) { Vector3d(color.mul(factor)) } + corners.drop(1)
         }
         val verdict = rig.verdict()
         verdict.assertMistake(Mistake.UNKNOWN, Check.MORE_LIGHTS)

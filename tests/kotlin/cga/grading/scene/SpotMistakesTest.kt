@@ -35,6 +35,22 @@ class SpotMistakesTest {
     }
 
     @Test
+    fun `a cone that the motorcycle's point light or a corner got is missing at the headlight`() {
+        fun verdict(coned: (Rig) -> Lamp) =
+            object : Rig() {
+                private val bare = Lamp(head.name, head.body, SPOT_K) { HEAD_COLOR }
+                override val lamps = coned(this).let { lamp -> (listOf(own, bare) + corners).filter { it.name != lamp.name } + lamp }
+            }.verdict()
+
+        fun coned(lamp: Lamp) = Lamp(lamp.name, lamp.body, lamp.k, 0.2, 0.4, true, lamp.color)
+        val costs = arrayOf(Check.SPOT_LIGHT, Check.SPOT_LIGHT_CHILD, Check.SPOT_DIRECTION, Check.CONE, Check.ATTENUATION_SPOT)
+        for (verdict in listOf(verdict { coned(it.own) }, verdict { coned(it.corners[0]) })) {
+            verdict.assertMistake(Mistake.SPOT_MISSING, *costs)
+            assertEquals("headlight", verdict.mistakes.single().where)
+        }
+    }
+
+    @Test
     fun `a headlight that is no child stays behind, and its direction costs nothing more`() {
         val rig = object : Rig() {
             val free = Lamp("lamp", lamp(Vector3f(0f, 0.9f, -1.6f), null), SPOT_K, 0.2, 0.4, true) { HEAD_COLOR }

@@ -23,7 +23,12 @@ class IdleElementsTest {
         val capture = SceneCapture.of(inArrays(CourseShaders.VERTEX), inArrays(fragment), scene) { model ->
             scene.uniforms(model).mapKeys { (name, _) -> inArrays(name) }
         }
-        return OffscreenContext.open().use { ShaderStudy.of(capture).use { it.observe(capture.frames.single()) ?: error("nothing was observed") } }
+        return OffscreenContext.open().use {
+            ShaderStudy.of(capture).use {
+                it.observe(capture.frames.single())
+                    ?: error("nothing was observed")
+            }
+        }
     }
 
     @Test

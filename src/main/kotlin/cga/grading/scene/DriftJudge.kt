@@ -18,7 +18,11 @@ internal class DriftJudge(
         if (all.isEmpty()) return
         val names = all.joinToString { (light, _) -> light.name }
         for (check in all.map { it.second }.distinct()) {
-            book.spoilt(check, 1.0, "From picture to picture the light of $names grows or dies away; wanted: light that keeps its strength.")
+            book.spoilt(
+                check,
+                1.0,
+                "From picture to picture the light of $names grows or dies away; wanted: light that keeps its strength.",
+            )
         }
         book.found(Mistake.UNKNOWN, 1.0, 1.0, names)
     }

@@ -17,19 +17,21 @@ internal class LightJudge(
     private fun point() {
         val own = roles.own
         if (own == null) {
-            val others = if (roles.further.isEmpty()) {
-                "No point light shines."
-            } else {
-                "Only ${names(
-                    roles.further,
-                )} shine, far from the motorcycle."
-            }
+            val idle = roles.idle
+            val others =
+                when {
+                    idle != null -> "${idle.name} is sent, and no shader draws with it."
+                    roles.further.isEmpty() -> "No point light shines."
+                    else -> "Only ${names(roles.further)} shine, far from the motorcycle."
+                }
             POINT.forEach { book.absent(it, others) }
-            book.found(Mistake.LIGHT_MISSING, 0.0, 1.0, "point light")
+            // What is sent has been written, and one thing is wrong with it.
+            val explains = if (idle == null) null else POINT - Check.POINT_LIGHT + Check.ATTENUATION_POINT + Check.LIGHT_COLOR
+            book.found(Mistake.LIGHT_MISSING, 0.0, 1.0, idle?.name ?: "point light", explains = explains)
             book.lacks("the point light", POINT + Check.ATTENUATION_POINT + Check.LIGHT_COLOR, setOf(Mistake.LIGHT_MISSING))
             return
         }
-        if (own.isSpot) {
+        if (own.isSpot && roles.crossed == null) {
             book.measured(Check.POINT_LIGHT, 1.0, "The light ${own.name} shines, but not to all sides.")
         } else {
             book.measured(Check.POINT_LIGHT, 0.0, "The light ${own.name} shines.")
@@ -41,8 +43,10 @@ internal class LightJudge(
     private fun spot() {
         val spot = roles.spot
         if (spot == null) {
-            SPOT.forEach { book.absent(it, "No light with a cone shines.") }
-            book.found(Mistake.SPOT_MISSING, 0.0, 1.0, "spotlight")
+            val text = roles.crossed?.run { "${coned.name} has the cone that ${headlight.name} was meant to have." }
+            SPOT.forEach { book.absent(it, text ?: "No light with a cone shines.") }
+            val explains = roles.crossed?.let { SPOT + Check.CONE_SPECULAR - Check.SPOT_LIGHT }
+            book.found(Mistake.SPOT_MISSING, 0.0, 1.0, roles.crossed?.headlight?.name ?: "spotlight", explains = explains)
             book.lacks("the spotlight", SPOT + Check.CONE_SPECULAR, setOf(Mistake.SPOT_MISSING))
             return
         }

@@ -11,13 +11,37 @@ import org.joml.Vector3dc
  * @param spot the headlight; without a cone where its cone is never sent.
  * @param further all other point lights that shine.
  * @param unlit names of the lights that never do.
+ * @param idle the motorcycle's point light where it is sent and no shader draws with it.
+ * @param crossed where another light has the cone that the headlight was meant to have.
  */
 internal class LightRoles(
     val own: LightTrack?,
     val spot: LightTrack?,
     val further: List<LightTrack>,
     val unlit: Set<String> = emptySet(),
+    val idle: LightTrack? = null,
+    val crossed: Crossed? = null,
 ) {
+    /** The light that is [coned], and the one that was meant to be. */
+    class Crossed(val coned: LightTrack, val headlight: LightTrack)
+
+    /** These, without a spotlight where the cone is another's than the headlight's. */
+    private fun uncrossed(timeline: Timeline): LightRoles {
+        val coned = spot ?: return this
+        val isOther = !coned.rides() && distance(coned, timeline) > FAR_OFF * cameraDistance(timeline)
+        val rest = further.find { it.rides() }
+        return when {
+            isOther && rest != null -> LightRoles(own, null, further - rest, unlit, idle, Crossed(coned, rest))
+            own != null && coned.rides() && isHeadlight(own) && isPointLight(coned) ->
+                LightRoles(coned, null, further, unlit, idle, Crossed(coned, own))
+            else -> this
+        }
+    }
+
+    private fun isHeadlight(light: LightTrack) = light.rides() && !light.changesColor && light.hasK(TABLE_1.spotK)
+
+    private fun isPointLight(light: LightTrack) = light.changesColor && light.hasK(TABLE_1.pointK)
+
     companion object {
         /** The roles in [timeline]; [canCone] says that the shaders could give a cone to a light that has none. */
         fun of(
@@ -30,7 +54,8 @@ internal class LightRoles(
             // One kind of light for all: then each has a cone.
             val spots = if (cones.size > 1 && cones.size == shining.size) listOf(headlight(cones)) else cones
             val points = shining - spots.toSet()
-            val own = own(points, timeline).takeUnless { found -> found?.rides() != true && idles(timeline) }
+            val idle = idle(timeline)
+            val own = own(points, timeline).takeIf { idle == null || it?.rides() == true }
             val others = points - setOfNotNull(own).toSet()
             // The headlight rides along too.
             val meant = if (canCone && spots.isEmpty() && timeline.cast.driven) others.find { it.rides() } else null
@@ -39,7 +64,8 @@ internal class LightRoles(
                 spots.find { it.rides() } ?: spots.firstOrNull() ?: meant,
                 others - setOfNotNull(meant).toSet(),
                 unlit.map { it.name }.toSet(),
-            )
+                idle.takeIf { own == null },
+            ).uncrossed(timeline)
         }
 
         /** Of lights that all have cones the one that was meant to: it rides along, keeps its colour, and is the narrowest. */
@@ -60,11 +86,11 @@ internal class LightRoles(
             return points.find { it.changesColor } ?: nearest
         }
 
-        /** Whether the motorcycle's light is sent and never drawn with: then another one is none that was meant to be it. */
-        private fun idles(timeline: Timeline): Boolean {
+        /** The motorcycle's light where it is sent and never drawn with: then another one is none that was meant to be it. */
+        private fun idle(timeline: Timeline): LightTrack? {
             val idle = LightTrack.all(timeline.frames, ObservedFrame::idle).filter { it.shines }
             Placed.all(idle, timeline)
-            return idle.any { it.rides() && it.placed.static > Placed.HOLDS }
+            return idle.find { it.rides() && it.placed.static > Placed.HOLDS }
         }
 
         /** How far [light] goes in the world while the motorcycle stands. */
@@ -79,6 +105,8 @@ internal class LightRoles(
 
         private fun LightTrack.rides() = placed.place?.rides == true
 
+        private fun LightTrack.hasK(k: Vector3dc?) = k != null && last.k.distance(k) < SAME_K
+
         private fun cameraDistance(timeline: Timeline) = timeline.laterShots.firstOrNull()?.distance ?: 0.0
 
         /** From the motorcycle, before it is driven. */
@@ -91,6 +119,12 @@ internal class LightRoles(
             val places = listOf(shot.world(state), Vector3d(state.position))
             return places.minOf { it.distance(shot.motorcycle.translation()) }
         }
+
+        private val TABLE_1 = SceneProfile.SHEET
+        private const val SAME_K = 1e-3
+
+        /** Times the camera's distance: no headlight is sent from there by mistake. */
+        private const val FAR_OFF = 2.0
 
         /** How many times further away than its own light all others are. */
         private const val APART = 1.5

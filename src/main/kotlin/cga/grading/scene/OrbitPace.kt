@@ -31,7 +31,9 @@ internal class OrbitPace(
     private fun factor(sideways: List<Pair<MouseMove, Turn>>): Double {
         val wanted = expected ?: sideways.minOf { (move, turn) -> turn.angle / abs(move.x) }
         val paces = sideways.map { (move, turn) -> turn.angle / abs(move.x) }
-        if (expected != null && book.has(Mistake.ORBIT_PIVOT) && paces.max() > (1 + UNEVEN) * paces.min() && paces.max() < UNLIKE * paces.min()) {
+        if (expected != null && book.has(Mistake.ORBIT_PIVOT) && paces.max() > (1 + UNEVEN) * paces.min() &&
+            paces.max() < UNLIKE * paces.min()
+        ) {
             val text = "The camera turns unevenly, as it circles one place and looks at another: that costs at the pivot."
             book.measured(Check.ORBIT_FACTOR, 0.0, text)
             return wanted

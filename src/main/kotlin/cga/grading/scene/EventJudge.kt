@@ -99,14 +99,11 @@ internal class EventJudge(
 
     /** Numbers that are sent to an element which an array does not have, while one that it has waits: a light is lost of however many. */
     private fun besideArray() {
-        val asked = texts(EventKind.UNIFORM_ABSENT).mapNotNull(::arrayOf)
-        val lost = program.unset.orEmpty().filter { arrayOf(it) in asked && LIGHT_WORDS.containsMatchIn(it) }.ifEmpty { return }
+        val asked = texts(EventKind.UNIFORM_ABSENT).mapNotNull(ArrayNames::arrayOf)
+        val lost = program.unset.orEmpty().filter { ArrayNames.arrayOf(it) in asked && LIGHT_WORDS.containsMatchIn(it) }.ifEmpty { return }
         book.spoilt(Check.MORE_LIGHTS, 1.0, "${lost.joinToString()} never arrives: it is sent to another element.")
         book.lacks(lost.joinToString(), setOf(Check.MORE_LIGHTS, Check.MORE_LIGHTS_SHADING), setOf(Mistake.MORE_LIGHTS_MISSING))
     }
-
-    /** What elements of one array have in common: their name without the number. */
-    private fun arrayOf(name: String): String? = if (ELEMENT in name) name.replaceFirst(ELEMENT, "[]") else null
 
     private fun absent() {
         val asked = texts(EventKind.UNIFORM_ABSENT).distinct()
@@ -194,7 +191,6 @@ internal class EventJudge(
         const val MOST_NAMES = 5
         const val LONGEST_NAME = 200
         const val TYPO = 2
-        val ELEMENT = Regex("\\[-?\\d+]")
         val COLOR_CALL = Regex("^glUniform3f.*(colou?r|farbe|emi|tint|glow)", RegexOption.IGNORE_CASE)
         val LIGHT_WORDS =
             Regex("light|licht|lamp|point|punkt|spot|colou?r|farbe|pos|dir|att|cone|angle|winkel|corner", RegexOption.IGNORE_CASE)

@@ -1,5 +1,8 @@
 package cga.grading.study
 
+import cga.grading.scene.ArrayNames
+import cga.grading.scene.ArrayNames.arrayOf
+
 /**
  * Elements of the arrays that lights are sent in with which no light is computed, as a loop leaves them out that begins or ends too early.
  */
@@ -13,10 +16,5 @@ internal object IdleElements {
         }
     }
 
-    private fun arrayOf(name: String): String? = if (ELEMENT in name) name.replaceFirst(ELEMENT, "[]") else null
-
-    private fun element(name: String): String = ELEMENT.find(name)?.value.orEmpty()
-
-    /** The number of an element, with its brackets. */
-    val ELEMENT: Regex = Regex("""\[\d+]""")
+    private fun element(name: String): String = ArrayNames.ELEMENT.find(name)?.value.orEmpty()
 }

@@ -1,5 +1,6 @@
 package cga.grading.study
 
+import cga.grading.scene.ArrayNames
 import cga.grading.scene.ObservedCone
 import cga.grading.scene.ObservedLight
 import org.joml.Matrix4dc
@@ -15,7 +16,7 @@ internal class NumberRef(
     private val constant: Double,
 ) {
     /** The same number of [element] of an array. */
-    fun of(element: String) = NumberRef(name?.replaceFirst(IdleElements.ELEMENT, element), index, constant)
+    fun of(element: String) = NumberRef(name?.replaceFirst(ArrayNames.ELEMENT, element), index, constant)
 
     /** The number that [values] give. */
     fun of(values: Map<String, FloatArray>): Double = name?.let { values[it]?.getOrNull(index)?.toDouble() } ?: constant
@@ -35,7 +36,7 @@ internal class VectorRef(
     private val first: Int = 0,
 ) {
     /** The same of [element] of an array. */
-    fun of(element: String) = VectorRef(name?.replaceFirst(IdleElements.ELEMENT, element), space, factor, constant, first)
+    fun of(element: String) = VectorRef(name?.replaceFirst(ArrayNames.ELEMENT, element), space, factor, constant, first)
 
     /** Whether it is a uniform in world space. */
     val isViewed: Boolean get() = name != null && space == Space.WORLD
@@ -120,7 +121,7 @@ internal class LightRefs(
 
     /** The point light of [element] in the arrays that this one's numbers are in; null where its place is in none of the [active] uniforms. */
     fun sentTo(element: String, active: Set<String>): LightRefs? {
-        val slot = color.replaceFirst(IdleElements.ELEMENT, element)
+        val slot = color.replaceFirst(ArrayNames.ELEMENT, element)
         val place = position.of(element)
         if (cone != null || place.name == position.name || place.name !in active) return null
         return LightRefs(slot, slot, scale, place, k.map { it.of(element) }, null)

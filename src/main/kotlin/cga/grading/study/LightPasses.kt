@@ -23,7 +23,8 @@ internal object LightPasses {
     private fun isAdded(draw: CapturedDraw) =
         draw.state.run { blend && blendSource == GL_ONE && blendDestination == GL_ONE }
 
-    private fun thing(draw: CapturedDraw, model: Matrix4dc): List<Any?> =
+    /** What two draws of the same thing at the same place have in common. */
+    fun thing(draw: CapturedDraw, model: Matrix4dc): List<Any?> =
         with(draw) { attributes.map { it.buffer to it.offset } + listOf(indices, first, count, baseVertex) } +
             Spaces.rounded(model)
 }

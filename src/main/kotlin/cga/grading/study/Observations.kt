@@ -33,7 +33,7 @@ internal class Observations(
 
     /** What [frame] shows; null where none of its draws is understood. */
     fun of(frame: CapturedFrame): ObservedFrame? {
-        val seen = frame.steps.filterIsInstance<CapturedDraw>().mapNotNull(::look)
+        val seen = withoutInsets(frame.steps.filterIsInstance<CapturedDraw>().mapNotNull(::look))
         val last = seen.lastOrNull() ?: return null
         val view = seen.firstNotNullOfOrNull { it.spaces.view } ?: groundView(seen)
         val passes = LightPasses.of(seen.map { it.draw to model(it, view) })
@@ -56,6 +56,18 @@ internal class Observations(
             frame.moment, frame.time, view, last.spaces.projection, objects, lights.getValue(last), idle(last, view),
         )
     }
+
+    /** [all] without a second look at the same things in a corner of the picture: a map, a mirror. */
+    private fun withoutInsets(all: List<Seen>): List<Seen> {
+        val largest = all.maxOfOrNull(::area) ?: return all
+        val (main, insets) = all.partition { area(it) == largest }
+        val things = main.map(::thing).toSet()
+        return if (insets.all { inset -> thing(inset)?.let(things::contains) == true }) main else all
+    }
+
+    private fun area(seen: Seen): Int = seen.draw.state.viewport.let { it[2] * it[3] }
+
+    private fun thing(seen: Seen): List<Any?>? = seen.spaces.model?.let { LightPasses.thing(seen.draw, it) + seen.draw.program }
 
     private fun look(draw: CapturedDraw): Seen? {
         val study = studies[draw.program] ?: return null

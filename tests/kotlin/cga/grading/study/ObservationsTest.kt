@@ -1,0 +1,55 @@
+package cga.grading.study
+
+import cga.framework.context.OffscreenContext
+import cga.grading.capture.Capture
+import cga.grading.capture.CapturedDraw
+import cga.grading.capture.CapturedFrame
+import cga.grading.scene.ObservedFrame
+import org.joml.Matrix4d
+import org.joml.Vector3d
+import org.junit.jupiter.api.Assertions.assertEquals
+import org.junit.jupiter.api.Assertions.assertTrue
+import org.junit.jupiter.api.Test
+
+class ObservationsTest {
+    private val scene = TestScene()
+    private val above = Matrix4d().lookAt(Vector3d(0.0, 30.0, 0.0), Vector3d(), Vector3d(0.0, 0.0, -1.0))
+
+    private fun draws(capture: Capture) = capture.frames.single().steps.filterIsInstance<CapturedDraw>()
+
+    /** The scene, then [more] draws in the viewport [inset], seen from above. */
+    private fun observed(inset: List<Int>, more: (CapturedDraw) -> Boolean = { true }): ObservedFrame {
+        val plain = SceneCapture.of(CourseShaders.VERTEX, CourseShaders.FRAGMENT, scene)
+        val map = SceneCapture.of(CourseShaders.VERTEX, CourseShaders.FRAGMENT, scene) { scene.uniforms(it) + ("view_matrix" to above) }
+        val second = draws(map).filter(more).map { draw ->
+            with(draw) {
+                CapturedDraw(
+                    program, mode, count, attributes, indices, indexType, first, baseVertex, instances, uniforms, textures,
+                    state.copy(viewport = inset),
+                )
+            }
+        }
+        val frame = plain.frames.single()
+        val both = CapturedFrame(frame.moment, frame.time, draws(plain) + second, null)
+        val capture = with(plain) { Capture(width, height, programs, buffers, textures, listOf(both), events) }
+        return OffscreenContext.open().use { ShaderStudy.of(capture).use { it.observe(both) ?: error("nothing was observed") } }
+    }
+
+    private fun isSeenFrom(view: Matrix4d, frame: ObservedFrame): Boolean {
+        val place = view.transformPosition(scene.pointPosition, Vector3d())
+        // As sent, in floats.
+        return frame.lights.any { Vector3d(it.position).distance(place) < 1e-3 }
+    }
+
+    @Test
+    fun `a map of the scene in a corner is no part of it`() {
+        val frame = observed(listOf(1000, 500, 256, 144))
+        assertTrue(isSeenFrom(Matrix4d(scene.view), frame))
+        assertEquals(2, frame.objects.size)
+    }
+
+    @Test
+    fun `what fills the picture, the last that is drawn, is how the lights are seen`() {
+        assertTrue(isSeenFrom(above, observed(listOf(0, 0, 1280, 720))))
+    }
+}

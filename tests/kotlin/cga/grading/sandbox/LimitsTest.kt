@@ -106,6 +106,12 @@ class LimitsTest {
     }
 
     @Test
+    fun `what a job says last is heard, however soon it ends`() {
+        val sandbox = Sandbox.unconfined()
+        repeat(100) { assertEquals("said\n", hostile.shell("echo said >&2", sandbox = sandbox).errors, "job $it") }
+    }
+
+    @Test
     fun `without a sandbox the limits hold all the same`() {
         val marker = UUID.randomUUID().toString()
         val sandbox = Sandbox.unconfined()

@@ -25,8 +25,8 @@ internal class Watch(
             val period = (1000 * limits.lookSeconds).toLong()
             while (exceeded == null && !process.waitFor(period, MILLISECONDS)) exceeded = tree.breach()
         } finally {
-            // Also when this thread is interrupted: nothing is left behind.
-            process.destroyForcibly()
+            // Also when this thread is interrupted: nothing is left behind. A Process would close its streams, with what was said last in them.
+            process.toHandle().destroyForcibly()
             check(tree.kill()) { "processes of ${job.command.first()} survive SIGKILL" }
         }
         val seconds = elapsed()

@@ -111,6 +111,7 @@ internal object LightDeviations {
     ): String {
         val copied = study.distanceOf(light)
         return when {
+            light.fadesFromEye -> "it fades with the camera's distance"
             copied != null -> "it fades with the distance of ${copied.name}"
             light.attenuation?.isTwice == true && !isLawless(light) -> "it fades with the square of F"
             else -> ""
@@ -124,6 +125,7 @@ internal object LightDeviations {
         val fit = light.attenuation ?: return null
         return when {
             light.otherDirection && light.isFromEye -> Mistake.UNKNOWN to fit.error
+            light.fadesFromEye -> Mistake.UNKNOWN to fit.error
             isAcrossSpaces(light, study) -> Mistake.TO_LIGHT_WORLD to fit.error
             study.distanceOf(light) != null -> Mistake.UNKNOWN to fit.error
             light.otherDirection || study.directionOf(light) != null -> Mistake.LATER_LIGHTS_FIRST_COSINE to fit.error

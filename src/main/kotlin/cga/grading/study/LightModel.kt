@@ -34,7 +34,12 @@ internal class LightModel(
 ) {
     val name: String get() = probe.slot.text
 
+    /** Whether its distances are measured from the camera. */
+    val fadesFromEye: Boolean get() = !isFromEye && attenuation?.from?.let { it.length() < NEAR_EYE } == true
+
     companion object {
+        private const val NEAR_EYE = 1e-3
+
         /** A light that could not be placed as one: several that have its colour, or one that may be at [guess] in view space. */
         fun unplaced(
             probe: LightProbe,

@@ -158,9 +158,10 @@ internal class LightRefs(
             val slot = light.probe.slot
             val roles = study.roles
             val meter = if (roles == null || slot !in study.box.program.deep) null else ColorMeter(study, slot, roles.onlyDiffuse)
-            // Where the distances are measured from the light is, whatever the directions say, unless another light is there: one of both is
-            // a defect of its own.
-            val place = Vector3d(light.attenuation?.from?.takeIf { study.distanceOf(light) == null } ?: placement.view)
+            // Where the distances are measured from the light is, whatever the directions say, unless another light or the camera is there:
+            // one of both is a defect of its own.
+            val isCopied = light.fadesFromEye || study.distanceOf(light) != null
+            val place = Vector3d(light.attenuation?.from?.takeUnless { isCopied } ?: placement.view)
             val axisMeter = if (cone?.direction?.name == null) AxisMeter.of(light, study) else null
             val position = finder.position(place)
             val placeMeter = if (position.name == null) PlaceMeter.of(light, study) else null

@@ -358,6 +358,12 @@ class MistakesTest {
             axis("an axis that is too long", 1.05, 30.0, 50.0),
             degrees("cosines of degrees", 15.0, 28.0),
             fragment(Mistake.UNKNOWN, "a later light with the first one's distance", "attenuate(dc," to "attenuate(dp,"),
+            fragment(
+                Mistake.UNKNOWN,
+                "point lights that fade with the camera's distance",
+                "float dp = length(vertexData.toPointLight);" to "float dp = length(vertexData.toCamera);",
+                "float dc = length(vertexData.toCornerLight);" to "float dc = length(vertexData.toCamera);",
+            ),
             fragment(Mistake.PHONG_LEFT, "Phong", "dot(n, h)" to "dot(reflect(-l, n), v)"),
             fragment(Mistake.HALF_VECTOR_NOT_NORMALIZED, "half vector not normalised", "normalize(l + v)" to "l + v"),
             fragment(Mistake.HALF_VECTOR_NOT_NORMALIZED, "half vector as the mean", "normalize(l + v)" to "(l + v) / 2.0"),

@@ -38,9 +38,6 @@ class LightPassesTest {
 
     private fun draws(capture: Capture) = capture.frames.single().steps.filterIsInstance<CapturedDraw>()
 
-    private fun CapturedDraw.copied(state: DrawState = this.state, count: Int = this.count) =
-        CapturedDraw(program, mode, count, attributes, indices, indexType, first, baseVertex, instances, uniforms, textures, state)
-
     private fun places(frame: ObservedFrame) = frame.lights.map { light -> Vector3d(light.position) }
 
     private fun isAmong(place: Vector3d, frame: ObservedFrame) = places(frame).any { it.distance(scene.viewed(place)) < 1e-3 }

@@ -17,18 +17,11 @@ class ObservationsTest {
 
     private fun draws(capture: Capture) = capture.frames.single().steps.filterIsInstance<CapturedDraw>()
 
-    /** The scene, then [more] draws in the viewport [inset], seen from above. */
-    private fun observed(inset: List<Int>, more: (CapturedDraw) -> Boolean = { true }): ObservedFrame {
+    /** The scene, then once more in the viewport [inset], seen from above. */
+    private fun observed(inset: List<Int>): ObservedFrame {
         val plain = SceneCapture.of(CourseShaders.VERTEX, CourseShaders.FRAGMENT, scene)
         val map = SceneCapture.of(CourseShaders.VERTEX, CourseShaders.FRAGMENT, scene) { scene.uniforms(it) + ("view_matrix" to above) }
-        val second = draws(map).filter(more).map { draw ->
-            with(draw) {
-                CapturedDraw(
-                    program, mode, count, attributes, indices, indexType, first, baseVertex, instances, uniforms, textures,
-                    state.copy(viewport = inset),
-                )
-            }
-        }
+        val second = draws(map).map { it.copied(it.state.copy(viewport = inset)) }
         val frame = plain.frames.single()
         val both = CapturedFrame(frame.moment, frame.time, draws(plain) + second, null)
         val capture = with(plain) { Capture(width, height, programs, buffers, textures, listOf(both), events) }

@@ -160,3 +160,7 @@ internal object SceneCapture {
         }.flatten().toFloatArray()
     }
 }
+
+/** The same draw with another [state] or [count]. */
+internal fun CapturedDraw.copied(state: DrawState = this.state, count: Int = this.count): CapturedDraw =
+    CapturedDraw(program, mode, count, attributes, indices, indexType, first, baseVertex, instances, uniforms, textures, state)

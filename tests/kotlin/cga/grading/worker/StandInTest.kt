@@ -3,6 +3,7 @@ package cga.grading.worker
 import cga.grading.capture.Moment
 import cga.grading.capture.StandIn
 import org.junit.jupiter.api.Assertions.assertEquals
+import org.junit.jupiter.api.Assertions.assertTrue
 import org.junit.jupiter.api.Test
 
 /** A game of the course's own kind, compiled with the stand-in by another compiler than ours. */
@@ -62,5 +63,14 @@ class StandInTest {
         assertEquals(expected, play(null, "GameWindow.MousePosition(640.0, 0.0)", "120.0f"))
         val original = "package cga.framework\n\nclass MousePosition(var xpos: Double, var ypos: Double)\n\nabstract class GameWindow"
         assertEquals(expected, play(original, "cga.framework.MousePosition(640.0, 0.0)", "120"))
+    }
+
+    @Test
+    fun `a position that is one object begins where the course's own window has it`() {
+        val shared = "abstract class GameWindow { val mousePos = MousePosition(0.0, 0.0) }"
+        val original = "package cga.framework\n\nclass MousePosition(var xpos: Double, var ypos: Double)\n\n$shared"
+        val asked = "cga.framework.MousePosition(window.mousePos.xpos, 0.0)"
+        assertTrue("moved 640.0 0.0" in play(original, asked, "120"))
+        assertTrue("moved 0.0 0.0" in play(original.replace("MousePosition(0.0, 0.0)", "askedOfGlfw()"), asked, "120"))
     }
 }

@@ -29,11 +29,22 @@ public class StandIn(private val original: String?) {
         if (!original.orEmpty().contains("MousePosition") || original.orEmpty().contains("glfwGetCursorPos")) {
             text
         } else {
-            text.replaced("get() = MousePosition(stage.cursorX, stage.cursorY)", "get() = mouse")
+            text
+                .replaced("get() = MousePosition(stage.cursorX, stage.cursorY)", "get() = mouse")
+                .replaced("mouse = MousePosition(stage.cursorX, stage.cursorY)", "mouse = ${firstPosition()}")
         }
 
+    // A submission that reads it before the mouse has moved jumps in its own window, and must do so in ours. Not so in the starter's: that
+    // one goes on from the position that it begins with.
+    private fun firstPosition(): String {
+        val cursor = "MousePosition(stage.cursorX, stage.cursorY)"
+        return if (isStarter) cursor else FIRST_POSITION.find(original.orEmpty())?.value ?: cursor
+    }
+
+    private val isStarter get() = Regex("""\)\s*:\s*WindowState\b""").containsMatchIn(original.orEmpty())
+
     private fun withStarterMembers(text: String): String {
-        if (!Regex("""\)\s*:\s*WindowState\b""").containsMatchIn(original.orEmpty())) return text
+        if (!isStarter) return text
         return text
             .replaced(
                 "    width: Int,\n    height: Int,\n    val fullscreen",
@@ -54,6 +65,7 @@ public class StandIn(private val original: String?) {
     }
 
     private companion object {
+        val FIRST_POSITION = Regex("""\bMousePosition\(\s*-?[\d.]+\s*,\s*-?[\d.]+\s*\)""")
         const val NESTED = "    class MousePosition(var xpos: Double, var ypos: Double)\n"
         const val STARTER_MEMBERS =
             """    protected val updateStep: Double

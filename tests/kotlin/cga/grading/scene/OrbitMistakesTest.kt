@@ -3,6 +3,8 @@ package cga.grading.scene
 import cga.grading.capture.Key
 import cga.grading.findings.Check
 import cga.grading.findings.Mistake
+import org.joml.Matrix4d
+import org.joml.Vector3d
 import org.joml.Vector3f
 import org.junit.jupiter.api.Assertions.assertEquals
 import org.junit.jupiter.api.Assertions.assertTrue
@@ -221,6 +223,46 @@ class OrbitMistakesTest {
         val verdict = turning { rig, dx, dy -> rig.camera.rotateAroundPoint(dy, dx, 0f, Vector3f()) }
         verdict.assertMistake(Mistake.ORBIT_OWN_AXIS)
         assertTrue("up or down" in verdict.mistakes.single().where, verdict.text())
+    }
+
+    /** A camera that goes round with the motorcycle on a circle of [eye] and keeps looking at [target]. */
+    private open class Looking(
+        private val eye: (Rig, Double) -> Vector3d,
+        private val target: (Rig) -> Vector3d,
+        private val pace: Double = 0.002,
+    ) : Rig() {
+        private var angle = 0.0
+
+        override fun orbit(dx: Double, dy: Double) {
+            angle -= pace * dx
+        }
+
+        override fun view(): Matrix4d = Matrix4d().lookAt(eye(this, angle), target(this), Vector3d(0.0, 1.0, 0.0))
+    }
+
+    private fun behind(rig: Rig, local: Vector3d) = rigidPart(rig.motorcycle.getWorldModelMatrix(Matrix4d())).transformPosition(local)
+
+    private fun level(rig: Rig, angle: Double) = behind(rig, Vector3d(0.0, 2.5, 3.5).rotateY(angle))
+
+    private val origin: (Rig) -> Vector3d = { Vector3d() }
+    private val motorcycle: (Rig) -> Vector3d = { it.motorcycle.getWorldModelMatrix(Matrix4d()).getTranslation(Vector3d()) }
+
+    @Test
+    fun `a camera that goes with the motorcycle and looks at the middle of the world`() {
+        val verdict = Looking(::level, origin).verdict()
+        verdict.assertMistake(Mistake.ORBIT_PIVOT, least = 1.0)
+        assertTrue("looks at (0.000, 0.000, 0.000)" in verdict.mistakes.single().where, verdict.text())
+        val fast = Looking(::level, origin, pace = 0.004).verdict()
+        assertEquals(setOf(Mistake.ORBIT_PIVOT, Mistake.MOUSE_FACTOR), fast.mistakes.map { it.mistake }.toSet(), fast.text())
+        Looking(::level, motorcycle).verdict().assertRight()
+    }
+
+    @Test
+    fun `a camera that looks at the motorcycle from a circle that is tilted`() {
+        val tilted = Looking({ rig, angle -> behind(rig, Vector3d(0.0, 0.0, 4.0).rotateY(angle).rotateX(-0.6)) }, motorcycle)
+        val verdict = tilted.verdict()
+        verdict.assertMistake(Mistake.UNKNOWN, Check.ORBIT, least = 0.1)
+        assertTrue("rises or sinks" in verdict[Check.ORBIT]?.text.orEmpty(), verdict.text())
     }
 
     /** Of a scene in which the mouse does [turn] with radians. */

@@ -72,6 +72,19 @@ class SpotMistakesTest {
     }
 
     @Test
+    fun `a headlight that is bound once, before the first picture`() {
+        val rig = object : Rig() {
+            private val once by lazy { world(head) to super.direction(head, view()) }
+
+            override fun position(lamp: Lamp, view: Matrix4d) =
+                if (lamp === head) view.transformPosition(Vector3d(once.first)) else super.position(lamp, view)
+
+            override fun direction(lamp: Lamp, view: Matrix4d) = Vector3d(once.second)
+        }
+        rig.verdict().assertMistake(Mistake.SPOT_NOT_CHILD)
+    }
+
+    @Test
     fun `the bind that sends neither cone nor direction costs the cone`() {
         val rig = object : Rig() {
             val odd = Lamp("lamp", head.body, SPOT_K, Double.NaN, Double.NaN, true) { HEAD_COLOR }

@@ -51,7 +51,9 @@ internal fun disturbedBy(mistake: Mistake): Set<Check> =
         Mistake.DIFFUSE_MISSING -> SURFACE + MATERIAL + ATTENUATION
         Mistake.TO_LIGHT_WORLD, Mistake.VIEW_SCALED -> PLACE + SPOT + setOf(ORBIT_PIVOT)
         Mistake.LIGHT_POSITION_OVERWRITTEN, Mistake.LIGHT_IN_GROUND -> PLACE + setOf(SPOT_LIGHT, SPOT_LIGHT_CHILD)
-        Mistake.MAPS_SWAPPED, Mistake.SAMPLER_UNIT, Mistake.GAMMA_DIRECTION ->
+        // The colour that is multiplied with the emission is the same with any map.
+        Mistake.MAPS_SWAPPED -> SURFACE + ATTENUATION + setOf(MATERIAL, EMISSION, CONE)
+        Mistake.SAMPLER_UNIT, Mistake.GAMMA_DIRECTION ->
             SURFACE + ATTENUATION + setOf(MATERIAL, EMISSION, GROUND_COLOR, MOTORCYCLE_COLOR, LIGHT_COLOR, CONE)
         Mistake.LIGHTS_AFTER_DRAWS, Mistake.UNIFORM_BEFORE_USE ->
             SPOT + setOf(POINT_LIGHT, POINT_LIGHT_CHILD, POINT_LIGHT_POSITION, LIGHT_COLOR, MOTORCYCLE_COLOR, MORE_LIGHTS_SHADING)

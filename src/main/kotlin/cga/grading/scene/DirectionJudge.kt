@@ -63,8 +63,18 @@ internal class DirectionJudge(
             (aim == Aim.STATIC && spot.placed.place?.rides == false) || (aim == Aim.CONSTANT && spot.isOnCamera) -> {
                 book.measured(Check.SPOT_DIRECTION, 0.0, "The direction stays with the light, which does not ride along: that costs there.")
             }
+            aim == Aim.CONSTANT && spot.placed.place?.rides == false && isOfFirstPicture(samples.first().direction) -> {
+                book.measured(Check.SPOT_DIRECTION, 0.0, "The direction is never sent again, like the light's place: that costs there.")
+            }
             else -> wrongSpace(spot, aim, aims)
         }
+    }
+
+    /** Whether [direction], the same numbers in every picture, pointed forwards and down as the first camera saw it, and up by itself. */
+    private fun isOfFirstPicture(direction: Vector3dc): Boolean {
+        val first = timeline.shots.first()
+        val world = Matrix3d(first.viewTurn).transpose().transform(Vector3d(direction))
+        return direction.y() > LEVEL && world.y < 0 && ahead(first).all { it.dot(world) > BEHIND }
     }
 
     private fun noDirection(spot: LightTrack) {

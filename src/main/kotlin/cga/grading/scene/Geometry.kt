@@ -66,7 +66,8 @@ internal fun Double.percent(): String = "%.1f %%".format(Locale.ROOT, 100 * this
 
 internal fun Vector3dc.text(): String = "(${rounded(x())}, ${rounded(y())}, ${rounded(z())})"
 
-private fun rounded(number: Double) = "%.3f".format(Locale.ROOT, number)
+// A zero has no sign.
+private fun rounded(number: Double) = "%.3f".format(Locale.ROOT, if (abs(number) < 5e-4) 0.0 else number)
 
 private const val POLAR_STEPS = 24
 private const val FLAT = 1e-9

@@ -8,13 +8,18 @@ import kotlin.math.min
 
 /** Does the mouse's way to the side turn the camera about the vertical, and does the horizon stay level? */
 internal class OrbitAxis(private val book: Notebook) {
-    /** Judges all that turned, and of these what the mouse did by going to the side. */
+    /** Judges all that turned, and of these what the mouse did by going to the side; answers whether the camera's circle is tilted. */
     fun judge(
         turning: List<Turn>,
         sideways: List<Turn>,
-    ) {
+    ): Boolean {
         val lying = sideways.filter { it.lies() }
-        if (lying.isEmpty()) horizon(turning, sideways) else lying(lying.maxBy { it.tilt })
+        if (lying.isNotEmpty()) {
+            lying(lying.maxBy { it.tilt })
+        } else if (isLevel(turning, sideways)) {
+            return isTilted(sideways)
+        }
+        return false
     }
 
     /** About an axis that is nearer to level than to anything upright: the way to the side does what that up and down should do. */
@@ -28,19 +33,29 @@ internal class OrbitAxis(private val book: Notebook) {
 
     private fun Turn.lies() = min(tilt, fromOwnAxis) > PI / 4
 
-    private fun horizon(
+    private fun isLevel(
         turning: List<Turn>,
         sideways: List<Turn>,
-    ) {
+    ): Boolean {
         val error = turning.maxOf { it.rolled() }
         book.measured(Check.ORBIT_HORIZON, error, "The horizon tilts by ${error.percent()} of the angle turned; wanted 0 %.")
-        if (error <= NAMED) return
+        if (error <= NAMED) return true
         val rolled = sideways.maxBy { it.rolled() }
         if (rolled.rolled() > NAMED) {
             book.found(Mistake.ORBIT_OWN_AXIS, rolled.fromOwnAxis / rolled.tilt, rolled.rolled(), "camera")
         } else {
             book.found(Mistake.ORBIT_OWN_AXIS, error, error, "camera, when the mouse moves up or down")
         }
+        return false
+    }
+
+    /** A camera that keeps looking at the motorcycle has a level horizon, whatever it circles about. */
+    private fun isTilted(sideways: List<Turn>): Boolean {
+        val error = sideways.maxOf { it.rise / max(it.angle, LEAST_TURN) }
+        if (error <= NAMED) return false
+        book.measured(Check.ORBIT, error, "The camera rises or sinks when the mouse moves to the side; wanted: it keeps its height.")
+        book.found(Mistake.UNKNOWN, 1.0, error, "camera, when the mouse moves to the side")
+        return true
     }
 
     private fun Turn.rolled() = roll / max(angle, LEAST_TURN)

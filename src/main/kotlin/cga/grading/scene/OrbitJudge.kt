@@ -31,9 +31,11 @@ internal class OrbitJudge(
         val sideways = turning.filter { it.move.isSideways() }
         if (sideways.isEmpty()) return missing(reactions)
         book.measured(Check.ORBIT, 0.0, "The camera turns ${if (sideways.all { it.move.alt }) "while Alt is held" else "with the mouse"}.")
-        OrbitAxis(book).judge(turning.map { it.turn }, sideways.map { it.turn })
-        pivot(turning, sideways)
-        OrbitPace(profile.radiansPerPixel, book).judge(reactions.map { it.move to it.turn })
+        val place = Gaze.fixed(timeline)
+        val isTilted = place == null && OrbitAxis(book).judge(turning.map { it.turn }, sideways.map { it.turn })
+        if (place == null) pivot(turning, sideways) else looksAside(place)
+        val angles = reactions.map { it.move to if (place == null) it.turn.angle else it.turn.around }
+        OrbitPace(profile.radiansPerPixel, book, isTilted).judge(angles)
         swingsBack()
         afterwards()
     }
@@ -106,6 +108,13 @@ internal class OrbitJudge(
             book.measured(Check.ORBIT_FACTOR, 1.0, "The camera swings back as soon as the mouse moves straight up or down.")
             return book.found(Mistake.MOUSE_FACTOR, 0.0, 1.0, "the last movement in the place of all")
         }
+    }
+
+    private fun looksAside(place: Vector3d) {
+        val what = "looks at ${place.text()}"
+        book.measured(Check.ORBIT_HORIZON, 0.0, "The camera turns as it looks aside: that costs at the pivot.")
+        book.measured(Check.ORBIT_PIVOT, 1.0, "The camera goes with the motorcycle and always $what; wanted: at the motorcycle.")
+        book.found(Mistake.ORBIT_PIVOT, 0.0, 1.0, what, explains = emptySet())
     }
 
     private fun pivot(

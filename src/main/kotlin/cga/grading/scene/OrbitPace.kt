@@ -9,18 +9,21 @@ import kotlin.math.hypot
  * How fast the camera turns, and whether it waits for the mouse to move.
  *
  * @param expected radians a pixel; null: any.
+ * @param isTilted whether the camera's circle is tilted: then it turns unevenly.
  */
 internal class OrbitPace(
     private val expected: Double?,
     private val book: Notebook,
+    private val isTilted: Boolean,
 ) {
-    fun judge(reactions: List<Pair<MouseMove, Turn>>) {
-        val sideways = reactions.filter { (move, turn) -> isSideways(move) && turn.angle > OrbitJudge.TURNED }
+    /** What each of the mouse's moves turned the camera by, radians. */
+    fun judge(reactions: List<Pair<MouseMove, Double>>) {
+        val sideways = reactions.filter { (move, angle) -> isSideways(move) && angle > OrbitJudge.TURNED }
         val pace = factor(sideways)
-        val drifting = reactions.filter { (move, turn) -> isRest(move) && turn.angle > OrbitJudge.TURNED }
+        val drifting = reactions.filter { (move, angle) -> isRest(move) && angle > OrbitJudge.TURNED }
         if (drifting.isNotEmpty()) {
-            val (move, turn) = drifting.first()
-            val text = "The camera goes on turning while the mouse rests: by ${turn.angle.text()} rad in ${move.moment}; wanted 0."
+            val (move, angle) = drifting.first()
+            val text = "The camera goes on turning while the mouse rests: by ${angle.text()} rad in ${move.moment}; wanted 0."
             book.measured(Check.ORBIT_FACTOR, 1.0, text)
             book.found(Mistake.MOUSE_FACTOR, 0.0, 1.0, "turns while the mouse rests")
         }
@@ -28,14 +31,12 @@ internal class OrbitPace(
     }
 
     /** Puts the factor down; radians a pixel. */
-    private fun factor(sideways: List<Pair<MouseMove, Turn>>): Double {
-        val wanted = expected ?: sideways.minOf { (move, turn) -> turn.angle / abs(move.x) }
-        val paces = sideways.map { (move, turn) -> turn.angle / abs(move.x) }
-        if (expected != null && book.has(Mistake.ORBIT_PIVOT) && paces.max() > (1 + UNEVEN) * paces.min() &&
-            paces.max() < UNLIKE * paces.min()
-        ) {
-            val text = "The camera turns unevenly, as it circles one place and looks at another: that costs at the pivot."
-            book.measured(Check.ORBIT_FACTOR, 0.0, text)
+    private fun factor(sideways: List<Pair<MouseMove, Double>>): Double {
+        val wanted = expected ?: sideways.minOf { (move, angle) -> angle / abs(move.x) }
+        val paces = sideways.map { (move, angle) -> angle / abs(move.x) }
+        val isUneven = paces.max() > (1 + UNEVEN) * paces.min() && paces.max() < UNLIKE * paces.min()
+        if (expected != null && isUneven && (isTilted || book.has(Mistake.ORBIT_PIVOT))) {
+            book.measured(Check.ORBIT_FACTOR, 0.0, unevenly())
             return wanted
         }
         // Where the camera does not hear of every move and one disagrees, the position before it was not followed: its own numbers tell.
@@ -60,11 +61,18 @@ internal class OrbitPace(
         return honest
     }
 
+    private fun unevenly() =
+        if (isTilted) {
+            "The camera turns unevenly, as its circle is tilted: that costs at the orbit."
+        } else {
+            "The camera turns unevenly, as it circles one place and looks at another: that costs at the pivot."
+        }
+
     /** Whether the angle is right for a difference to a position older than the last: of those who look only while Alt is (not) held. */
     private fun isUnfollowed(
-        reaction: Pair<MouseMove, Turn>,
+        reaction: Pair<MouseMove, Double>,
         pace: Double,
-    ): Boolean = olderDifferences(reaction.first).any { abs(reaction.second.angle / (pace * it) - 1) < AGREES }
+    ): Boolean = olderDifferences(reaction.first).any { abs(reaction.second / (pace * it) - 1) < AGREES }
 
     private fun olderDifferences(move: MouseMove): List<Double> {
         val at = MouseMove.ALL.filter { it.moment <= move.moment }.sumOf { it.x }
@@ -73,17 +81,17 @@ internal class OrbitPace(
     }
 
     private fun start(
-        reactions: List<Pair<MouseMove, Turn>>,
+        reactions: List<Pair<MouseMove, Double>>,
         pace: Double,
     ) {
-        val (first, turn) = reactions.first()
-        val late = reactions.firstOrNull { (move, turn) -> isSideways(move) && turn.angle > OrbitJudge.TURNED }
+        val (first, turned) = reactions.first()
+        val late = reactions.firstOrNull { (move, angle) -> isSideways(move) && angle > OrbitJudge.TURNED }
         val jump =
             when {
-                turn.angle > pace -> first.moment to turn.angle
+                turned > pace -> first.moment to turned
                 // The first event that is heard may be a later one, under Alt; or the position of the first was not remembered.
                 late != null && isUnfollowed(late, pace) -> {
-                    late.first.moment to late.second.angle - pace * abs(late.first.x)
+                    late.first.moment to late.second - pace * abs(late.first.x)
                 }
                 else -> null
             }
@@ -91,7 +99,7 @@ internal class OrbitPace(
         val (moment, angle) = jump
         val error = (angle / (pace * first.x)).coerceAtMost(1.0)
         book.measured(Check.ORBIT_START, error, "The first mouse event turns the camera by ${angle.text()} rad; wanted 0.")
-        book.found(Mistake.MOUSE_JUMP, reason(turn.angle / pace, first), error, "${(angle / pace).text()} pixels' worth at $moment")
+        book.found(Mistake.MOUSE_JUMP, reason(turned / pace, first), error, "${(angle / pace).text()} pixels' worth at $moment")
     }
 
     /** How far the jump, in pixels, is from a difference to the corner of the screen, relative; by x alone or both coordinates. */

@@ -7,9 +7,11 @@ import org.joml.Matrix3d
 import org.joml.Matrix4d
 import org.joml.Vector3d
 import org.joml.Vector4d
+import java.lang.Math.IEEEremainder
 import kotlin.math.PI
 import kotlin.math.abs
 import kotlin.math.asin
+import kotlin.math.atan2
 import kotlin.math.max
 import kotlin.math.sin
 import kotlin.math.tan
@@ -53,6 +55,12 @@ internal class Turn(
 
     /** Radians. */
     val angle: Double = angle(rotation)
+
+    /** How far the camera went around the motorcycle's own upright axis, wherever it looks; radians in [0, π]. */
+    val around: Double = abs(IEEEremainder(bearing(after) - bearing(before), 2 * PI))
+
+    /** By how much the camera rose or sank, relative to its distance from the motorcycle. */
+    val rise: Double = abs(after.cameraInMotorcycle.m31() - before.cameraInMotorcycle.m31()) / max(before.distance, NEAR)
 
     /** Unit vector in world space, of either sign; meaningless without an angle. */
     val axis: Vector3d = before.motorcycleTurn.transform(axial(rotation).normalize())
@@ -116,6 +124,8 @@ internal class Turn(
         const val NEAR = 1e-3
         const val TINY = 1e-18
         const val ROUNDS = 200
+
+        fun bearing(shot: Shot) = atan2(shot.cameraInMotorcycle.m30(), shot.cameraInMotorcycle.m32())
 
         /** The camera's x axis over the horizon, radians. */
         fun roll(shot: Shot) = asin(shot.camera.m01().coerceIn(-1.0, 1.0))

@@ -34,6 +34,7 @@ internal object ConeDeviations {
         val values = words?.let(::valueMistake)
         val length = if (words == null) AxisLength.of(cone, numbers, lengths) else null
         return when {
+            light.hasLongCone -> listOf(unknown(light, cone, 1.0, LONG_TEXT))
             isTwofold(cone) -> listOf(unknown(light, cone, 1.0, TWOFOLD_TEXT))
             cone.falloff == Falloff.HARD -> found(Mistake.CONE_HARD_EDGE)
             cone.falloff == Falloff.COSINE_TWICE -> found(Mistake.COSINE_OF_COSINE)
@@ -125,6 +126,7 @@ internal object ConeDeviations {
     private const val LEFT = 0.02
     private const val FULL = 0.5
     private const val TWOFOLD_TEXT = "it shines in two cones, one to the front and one to the back"
+    private const val LONG_TEXT = "its cosine is taken with a long vector to the light, so it is the wider the farther it reaches"
     private const val LEFT_TEXT = "outside of the cone it is not dark"
 
     /** Radians: wider than any headlight. */

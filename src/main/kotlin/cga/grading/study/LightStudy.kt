@@ -107,7 +107,8 @@ internal class LightStudy(
         val beam = if (isOdd && elsewhere == null) StrayBeam.of(amplitudes, lit, axes, search.hints) else null
         val isUneven = seen != null && seen.residual > UNEVEN && elsewhere == null && beam == null
         val stray = if (isUneven) StrayDistance.of(amplitudes, seen, lit, axes, search.hints) else null
-        val attenuation = beam?.attenuation ?: elsewhere ?: stray?.attenuation ?: straight
+        val long = if (isOdd && seen != null && elsewhere == null && beam == null) LongCone.law(amplitudes, seen) else null
+        val attenuation = beam?.attenuation ?: elsewhere ?: stray?.attenuation ?: long ?: straight
         // Around a place that distances are not measured from, a light without a cone is uneven, too.
         val cone = if (elsewhere == null) beam?.cone ?: stray?.cone ?: seen else null
         val inside = inside(beam?.amplitudes?.placement ?: placement, cone)
@@ -123,6 +124,7 @@ internal class LightStudy(
             highlight = HighlightStudy(probe.shine, roles, amplitudes, attenuation, cone, inside, random).highlight(),
             diffuseInterpolation = if (roles.diffuse != null) InterpolationTest.of(probe, placement, inside, roles.onlyDiffuse) else null,
             otherDirection = elsewhere != null || beam != null || diffuse != null,
+            hasLongCone = long != null,
             isFromEye = (diffuse ?: placement).view.length() < APART,
             specularInterpolation = if (roles.specular !=
                 null

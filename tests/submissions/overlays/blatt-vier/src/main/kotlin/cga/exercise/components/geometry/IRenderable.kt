@@ -1,0 +1,7 @@
+package cga.exercise.components.geometry
+
+import cga.exercise.components.shader.ShaderProgram
+
+interface IRenderable {
+    fun render(shaderProgram: ShaderProgram)
+}

@@ -85,6 +85,26 @@ class SpotMistakesTest {
     }
 
     @Test
+    fun `a headlight that shines in another light's colour, or in no cone that can be told, is not called missing`() {
+        val lamps = object : Rig() {
+            override val lamps get() = listOf(own) + corners
+        }
+        val lent = lamps.verdict(program = ProgramFacts(lent = setOf("bike_lamp")))
+        assertEquals(listOf(Mistake.UNKNOWN), lent.mistakes.map { it.mistake }, lent.text())
+        assertEquals(1.0, lent[Check.SPOT_LIGHT]?.error, lent.text())
+        assertTrue("bike_lamp" in lent[Check.SPOT_LIGHT]?.text.orEmpty(), lent.text())
+
+        class Uneven : Rig() {
+            val odd = Lamp("headlight", head.body, SPOT_K) { HEAD_COLOR }
+            override val lamps get() = listOf(own, odd) + corners
+        }
+        val strange = Uneven().verdict(program = ProgramFacts(strange = setOf("headlight")))
+        assertEquals(listOf(Mistake.UNKNOWN), strange.mistakes.map { it.mistake }, strange.text())
+        assertEquals(1.0, strange[Check.CONE]?.error, strange.text())
+        assertEquals(listOf(Mistake.SPOT_MISSING), Uneven().verdict().mistakes.map { it.mistake })
+    }
+
+    @Test
     fun `the bind that sends neither cone nor direction costs the cone`() {
         val rig = object : Rig() {
             val odd = Lamp("lamp", head.body, SPOT_K, Double.NaN, Double.NaN, true) { HEAD_COLOR }

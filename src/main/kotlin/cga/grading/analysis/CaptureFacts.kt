@@ -32,6 +32,8 @@ internal class CaptureFacts(private val capture: Capture) {
             isReadWhole = substitutes.isWhole,
             canCone = study.canCone,
             deadly = study.deadly,
+            lent = study.lent,
+            strange = study.strange,
         )
 
     /** Names of the uniforms [ofType] that are 0 in every draw. */

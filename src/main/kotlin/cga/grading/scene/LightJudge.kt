@@ -7,6 +7,7 @@ import cga.grading.findings.Mistake
 internal class LightJudge(
     private val timeline: Timeline,
     private val roles: LightRoles,
+    private val program: ProgramFacts,
     private val book: Notebook,
 ) {
     fun judge() {
@@ -43,6 +44,12 @@ internal class LightJudge(
     private fun spot() {
         val spot = roles.spot
         if (spot == null) {
+            val strange = (roles.further + listOfNotNull(roles.own)).find { it.name in program.strange && it.placed.place?.rides == true }
+            val other = strange?.let { "${it.name} shines unevenly, and in no cone around a direction." }
+                ?: program.lent.firstOrNull()?.let {
+                    "No light with a cone shines in a colour of its own; $it is the colour of another light too."
+                }
+            if (other != null) return notAsMeant(other, strange)
             val text = roles.crossed?.run { "${coned.name} has the cone that ${headlight.name} was meant to have." }
             SPOT.forEach { book.absent(it, text ?: "No light with a cone shines.") }
             val explains = roles.crossed?.let { SPOT + Check.CONE_SPECULAR - Check.SPOT_LIGHT }
@@ -52,6 +59,17 @@ internal class LightJudge(
         }
         book.measured(Check.SPOT_LIGHT, 0.0, "The spotlight ${spot.name} shines.")
         rides(spot, Check.SPOT_LIGHT_CHILD, Mistake.SPOT_NOT_CHILD)
+    }
+
+    /** Something of the headlight is to be seen, and what is wrong with it has no name. */
+    private fun notAsMeant(
+        text: String,
+        strange: LightTrack?,
+    ) {
+        val home = if (strange == null) Check.SPOT_LIGHT else Check.CONE
+        SPOT.forEach { book.measured(it, if (it == home) 1.0 else 0.0, text) }
+        val explains = setOf(Check.ATTENUATION_SPOT, Check.CONE_SPECULAR, Check.MORE_LIGHTS_SHADING)
+        book.found(Mistake.UNKNOWN, 1.0, 1.0, strange?.name ?: "spotlight", explains = explains)
     }
 
     /** Whether [light] moves with the motorcycle, judged under the hypothesis about its space that holds: a wrong space costs elsewhere. */

@@ -16,6 +16,8 @@ import org.joml.Vector3d
  * @param drawn the moments at which anything was drawn at all.
  * @param canCone whether the shaders could limit a light to a cone, while none has one.
  * @param deadly uniforms that nobody sends and that leave no number of the picture: something is divided by them.
+ * @param lent names of lights in whose colour another one shines too, where none has a cone; [strange] of those that shine unevenly, and in
+ * no cone around a direction.
  * @param isReplaced whether all that is drawn is drawn by stand-ins for shaders that the driver refused.
  * @param isRead whether the sheet's own lighting could take their place, so that all but the shading can be seen; [isReadWhole] whether it
  * is clear what each number that was sent means, so that what cannot be seen is not there.
@@ -30,6 +32,8 @@ public class ProgramFacts(
     public val canCone: Boolean = false,
     public val deadly: Set<String> = emptySet(),
     public val idle: Set<String> = emptySet(),
+    public val lent: Set<String> = emptySet(),
+    public val strange: Set<String> = emptySet(),
 )
 
 /**
@@ -96,7 +100,7 @@ public object SceneJudge {
         val roles = LightRoles.of(timeline, program.canCone)
         book.unlit = roles.unlit
         book.spot = roles.spot?.name
-        LightJudge(timeline, roles, book).judge()
+        LightJudge(timeline, roles, program, book).judge()
         PositionJudge(timeline, roles, events, book).judge()
         DirectionJudge(timeline, roles, book).judge()
         cone(roles, book)

@@ -19,6 +19,7 @@ import kotlin.random.Random
  * @param deadly uniforms that were never sent and leave no number of the picture.
  * @param isOverlapping whether two vertex attributes of a mesh are in the same bytes.
  * @param isGlowEncoded whether what glows is encoded as the lights are, and not added to them afterwards.
+ * @param lent names of lights in whose colour another one shines too; only where no light has a cone.
  * @param surface points on what was drawn and near it, in view space.
  * @param elsewhere another object's draw, if there is one.
  * @param lights that shine somewhere; [silent] that do not and could.
@@ -42,6 +43,7 @@ internal class ProgramStudy(
     val deadly: Set<String> = emptySet(),
     val isGlowEncoded: Boolean = true,
     val isOverlapping: Boolean = false,
+    val lent: Set<String> = emptySet(),
     val surface: List<Vector3d> = emptyList(),
     val elsewhere: BlackBox? = null,
 ) {
@@ -118,10 +120,21 @@ internal class ProgramStudy(
                 ConelessLights.of(decoded, colors, surface, roles, lights),
                 HiddenLights.areThere(decoded, colors, samples), SamplerFacts.of(capture, number),
                 sentValues(capture, number, draw), look.deadly, look.afterGamma == null,
-                AttributeOverlap.isThere(capture, number), surface,
+                AttributeOverlap.isThere(capture, number), roles?.let { lent(lights, it, samples) }.orEmpty(), surface,
                 Representative.other(capture, number, formula, decoded),
             )
         }
+
+        private fun lent(
+            lights: List<LightModel>,
+            roles: TextureRoles,
+            samples: List<Sample>,
+        ): Set<String> =
+            if (lights.any { it.cone != null }) {
+                emptySet()
+            } else {
+                lights.filter { LentColor.isLent(it, roles, samples) }.map { it.name }.toSet()
+            }
 
         /** Whether [slot] is a colour that is none of [colors], as the picture is no sum with it. */
         private fun isUnseparated(

@@ -40,6 +40,13 @@ public class ShaderStudy private constructor(
     internal val deadly: Set<String>
         get() = if (mistakes.any { it.mistake == Mistake.CONE_NEVER_SENT }) emptySet() else studied.flatMap { it.deadly }.toSet()
 
+    /** Names of lights in whose colour another one shines too, where none has a cone. */
+    internal val lent: Set<String> get() = studied.flatMap { it.lent }.toSet()
+
+    /** Names of lights that shine unevenly, and in no cone around a direction. */
+    internal val strange: Set<String>
+        get() = studied.flatMap { it.shining }.filter(LightDeviations::isStrange).map { it.name }.toSet()
+
     /** What [frame] of the capture shows in terms of the scene; null where no draw of it is understood. */
     public fun observe(frame: CapturedFrame): ObservedFrame? = observations.of(frame)
 

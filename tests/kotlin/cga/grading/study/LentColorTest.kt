@@ -1,0 +1,41 @@
+package cga.grading.study
+
+import cga.grading.capture.CapturedDraw
+import cga.testing.Offscreen
+import org.junit.jupiter.api.Assertions.assertEquals
+import org.junit.jupiter.api.Assertions.assertTrue
+import org.junit.jupiter.api.Test
+import org.junit.jupiter.api.extension.ExtendWith
+
+@ExtendWith(Offscreen::class)
+class LentColorTest {
+    private fun lent(fragment: String): Set<String> {
+        val capture = SceneCapture.of(CourseShaders.VERTEX, fragment)
+        return ProbeRig().use { rig ->
+            ProbeProgram(capture.programs[0]).use { program ->
+                ProgramStudy.of(rig, program, capture, 0, capture.frames[0].steps[1] as CapturedDraw).lent
+            }
+        }
+    }
+
+    private fun edited(
+        old: String,
+        new: String,
+    ): String {
+        assertTrue(old in CourseShaders.FRAGMENT)
+        return CourseShaders.FRAGMENT.replace(old, new)
+    }
+
+    @Test
+    fun `a headlight that shines in the colour of the first light, and by its distance`() {
+        val copied =
+            edited("* spotLightColor * attenuate(ds, spotLightAttenuation)", "* pointLightColor * attenuate(dp, pointLightAttenuation)")
+        assertEquals(setOf("pointLightColor"), lent(copied))
+    }
+
+    @Test
+    fun `no colour is lent where all is right, or where the headlight is not there at all`() {
+        assertEquals(emptySet<String>(), lent(CourseShaders.FRAGMENT))
+        assertEquals(emptySet<String>(), lent(edited("* spotLightColor *", "* 0.0 * spotLightColor *")))
+    }
+}

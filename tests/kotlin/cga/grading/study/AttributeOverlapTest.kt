@@ -2,7 +2,6 @@ package cga.grading.study
 
 import cga.grading.capture.Capture
 import cga.grading.capture.CapturedAttribute
-import cga.grading.capture.CapturedDraw
 import cga.grading.capture.CapturedFrame
 import org.junit.jupiter.api.Assertions.assertEquals
 import org.junit.jupiter.api.Test
@@ -25,13 +24,7 @@ class AttributeOverlapTest {
                 CapturedAttribute(2, 3, GL_FLOAT, false, stride, normal, buffer),
             )
         val frame = plain.frames.single()
-        val draws =
-            frame.steps.filterIsInstance<CapturedDraw>().map {
-                CapturedDraw(
-                    it.program, it.mode, it.count, attributes, it.indices, it.indexType, it.first, it.baseVertex, it.instances, it.uniforms,
-                    it.textures, it.state,
-                )
-            }
+        val draws = frame.draws.map { it.copied(attributes = attributes) }
         val frames = listOf(CapturedFrame(frame.moment, frame.time, draws, null))
         return Capture(plain.width, plain.height, plain.programs, plain.buffers, plain.textures, frames, emptyList())
     }

@@ -36,7 +36,7 @@ class LightPassesTest {
     private fun capture(uniforms: (Matrix4dc) -> Map<String, Any>) =
         SceneCapture.of(CourseShaders.VERTEX, CourseShaders.FRAGMENT, scene, uniforms)
 
-    private fun draws(capture: Capture) = capture.frames.single().steps.filterIsInstance<CapturedDraw>()
+    private fun draws(capture: Capture) = capture.draws
 
     private fun places(frame: ObservedFrame) = frame.lights.map { light -> Vector3d(light.position) }
 

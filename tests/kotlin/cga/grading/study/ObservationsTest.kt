@@ -2,7 +2,6 @@ package cga.grading.study
 
 import cga.framework.context.OffscreenContext
 import cga.grading.capture.Capture
-import cga.grading.capture.CapturedDraw
 import cga.grading.capture.CapturedFrame
 import cga.grading.scene.ObservedFrame
 import org.joml.Matrix4d
@@ -15,7 +14,7 @@ class ObservationsTest {
     private val scene = TestScene()
     private val above = Matrix4d().lookAt(Vector3d(0.0, 30.0, 0.0), Vector3d(), Vector3d(0.0, 0.0, -1.0))
 
-    private fun draws(capture: Capture) = capture.frames.single().steps.filterIsInstance<CapturedDraw>()
+    private fun draws(capture: Capture) = capture.draws
 
     /** The scene, then once more in the viewport [inset], seen from above. */
     private fun observed(inset: List<Int>): ObservedFrame {

@@ -1,7 +1,6 @@
 package cga.grading.study
 
 import cga.grading.capture.Capture
-import cga.grading.capture.CapturedDraw
 import cga.grading.capture.CapturedEvent
 import cga.grading.capture.CapturedFrame
 import cga.grading.capture.EventKind
@@ -21,13 +20,7 @@ class SamplerFactsTest {
     ): Capture {
         val samplers = units.map { (name, unit) -> UniformValue(name, GL_SAMPLER_2D, floatArrayOf(unit.toFloat())) }
         val frame = plain.frames.single()
-        val draws =
-            frame.steps.filterIsInstance<CapturedDraw>().map {
-                CapturedDraw(
-                    it.program, it.mode, it.count, it.attributes, it.indices, it.indexType, it.first, it.baseVertex, it.instances, samplers,
-                    textures, it.state,
-                )
-            }
+        val draws = frame.draws.map { it.copied(uniforms = samplers, textures = textures) }
         val frames = listOf(CapturedFrame(frame.moment, frame.time, draws, null))
         return Capture(plain.width, plain.height, plain.programs, plain.buffers, plain.textures, frames, events.toList())
     }

@@ -161,6 +161,12 @@ internal object SceneCapture {
     }
 }
 
-/** The same draw with another [state] or [count]. */
-internal fun CapturedDraw.copied(state: DrawState = this.state, count: Int = this.count): CapturedDraw =
+/** The same draw, but for what is given. */
+internal fun CapturedDraw.copied(
+    state: DrawState = this.state,
+    count: Int = this.count,
+    attributes: List<CapturedAttribute> = this.attributes,
+    uniforms: List<UniformValue> = this.uniforms,
+    textures: Map<Int, Int> = this.textures,
+): CapturedDraw =
     CapturedDraw(program, mode, count, attributes, indices, indexType, first, baseVertex, instances, uniforms, textures, state)

@@ -22,7 +22,7 @@ import kotlin.io.path.exists
 class WorkerTest {
     private fun WorkerProcess.events(kind: EventKind) = capture.events.filter { it.kind == kind }.map { it.text }
 
-    private fun WorkerProcess.draws(frame: Int) = capture.frames[frame].steps.filterIsInstance<CapturedDraw>()
+    private fun WorkerProcess.draws(frame: Int) = capture.frames[frame].draws
 
     /** Draws every frame again and compares those that the worker drew, byte for byte. */
     private fun assertReplays(run: WorkerProcess) {

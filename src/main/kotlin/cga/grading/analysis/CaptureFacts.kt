@@ -12,7 +12,7 @@ import org.lwjgl.opengl.GL33C.GL_SAMPLER_CUBE
 
 /** What a capture tells of its programs without running them. */
 internal class CaptureFacts(private val capture: Capture) {
-    private val draws = capture.frames.flatMap { it.steps }.filterIsInstance<CapturedDraw>()
+    private val draws = capture.draws
 
     /** Names of the active uniforms. */
     val uniforms: Set<String> = draws.flatMap { it.uniforms }.map { it.name }.toSet()

@@ -57,7 +57,7 @@ internal class ScenePictures(
 
     /** Each light alone: all other colours black, and the emission with them. */
     private fun lights(frame: Int): List<Evidence> {
-        val sent = capture.frames[frame].steps.filterIsInstance<CapturedDraw>().flatMap { it.uniforms }.map { it.name }.toSet()
+        val sent = capture.frames[frame].draws.flatMap { it.uniforms }.map { it.name }.toSet()
         // A colour that is written into the shader cannot be switched off in it.
         val lights = observedAt(frame)?.lights.orEmpty().distinctBy { it.name }.filter { it.name in sent }
         return lights.take(MOST_LIGHTS).mapIndexed { number, light ->

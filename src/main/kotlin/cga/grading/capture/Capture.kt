@@ -20,7 +20,13 @@ public class Capture(
     public val frames: List<CapturedFrame>,
     public val events: List<CapturedEvent>,
     public val samples: Int = 0,
-)
+) {
+    /** Every draw of every frame, in their order. */
+    public val draws: List<CapturedDraw> get() = frames.flatMap { it.draws }
+
+    /** Those of [program]. */
+    public fun drawsOf(program: Int): List<CapturedDraw> = frames.flatMap { it.drawsOf(program) }
+}
 
 /**
  * A linked program.
@@ -84,7 +90,13 @@ public class CapturedFrame(
     public val time: Double,
     public val steps: List<CapturedStep>,
     public val picture: ByteArray?,
-)
+) {
+    /** The steps that draw. */
+    public val draws: List<CapturedDraw> get() = steps.filterIsInstance<CapturedDraw>()
+
+    /** Those of [program]. */
+    public fun drawsOf(program: Int): List<CapturedDraw> = draws.filter { it.program == program }
+}
 
 /** What changes the picture, in order. */
 public sealed interface CapturedStep

@@ -2,7 +2,6 @@ package cga.grading.study
 
 import cga.grading.capture.Capture
 import cga.grading.capture.CapturedAttribute
-import cga.grading.capture.CapturedDraw
 import cga.grading.capture.GlNumbers
 
 /** Whether a mesh has two vertex attributes in the same bytes, as where one offset is another's: then one of them is not what it should be. */
@@ -12,11 +11,9 @@ internal object AttributeOverlap {
         capture: Capture,
         number: Int,
     ): Boolean =
-        capture.frames
-            .flatMap { it.steps }
-            .filterIsInstance<CapturedDraw>()
-            .filter { it.program == number }
-            .any { draw -> draw.attributes.any { a -> draw.attributes.any { it.location > a.location && overlap(a, it) } } }
+        capture.drawsOf(number).any { draw ->
+            draw.attributes.any { a -> draw.attributes.any { it.location > a.location && overlap(a, it) } }
+        }
 
     /** A marker of positions alone has them for all else, too: nothing in its buffer is left out. */
     private fun overlap(

@@ -62,8 +62,7 @@ internal class Materials(
         frame: CapturedFrame,
         view: Matrix4dc,
     ): List<Surface>? =
-        frame.steps
-            .filterIsInstance<CapturedDraw>()
+        frame.draws
             .filter { studies[it.program]?.isOfScene != false }
             .map { surface(it, view) ?: return null }
 

@@ -33,7 +33,7 @@ internal class Observations(
 
     /** What [frame] shows; null where none of its draws is understood. */
     fun of(frame: CapturedFrame): ObservedFrame? {
-        val seen = withoutInsets(frame.steps.filterIsInstance<CapturedDraw>().mapNotNull(::look))
+        val seen = withoutInsets(frame.draws.mapNotNull(::look))
         val last = seen.lastOrNull() ?: return null
         val view = seen.firstNotNullOfOrNull { it.spaces.view } ?: groundView(seen)
         val passes = LightPasses.of(seen.map { it.draw to model(it, view) })

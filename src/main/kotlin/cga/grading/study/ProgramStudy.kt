@@ -201,10 +201,7 @@ internal class ProgramStudy(
             capture: Capture,
             number: Int,
             draw: CapturedDraw,
-        ): Map<String, List<FloatArray>> {
-            val draws = capture.frames.flatMap { it.steps }.filterIsInstance<CapturedDraw>().filter { it.program == number }
-            return (draws + draw).flatMap { it.uniforms }.groupBy({ it.name }, { it.numbers })
-        }
+        ): Map<String, List<FloatArray>> = (capture.drawsOf(number) + draw).flatMap { it.uniforms }.groupBy({ it.name }, { it.numbers })
 
         private fun isNormal(
             vertices: DrawVertices,

@@ -41,8 +41,7 @@ internal object Representative {
         box: BlackBox,
     ): BlackBox? {
         val model = box.spaces.model ?: return null
-        val draws = capture.frames.flatMap { it.steps }.filterIsInstance<CapturedDraw>().filter { it.program == number }
-        return draws.asReversed().asSequence().take(MOST).firstNotNullOfOrNull { draw ->
+        return capture.drawsOf(number).asReversed().asSequence().take(MOST).firstNotNullOfOrNull { draw ->
             val values = box.program.values(draw)
             val spaces = Spaces.of(formula, box.program.matrices.filter { it in values }, values)
             spaces?.takeIf { it.view == box.spaces.view && it.model?.equals(model, APART) == false }?.let { box.drawn(it, values) }

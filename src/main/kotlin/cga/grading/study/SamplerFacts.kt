@@ -1,7 +1,6 @@
 package cga.grading.study
 
 import cga.grading.capture.Capture
-import cga.grading.capture.CapturedDraw
 import cga.grading.capture.EventKind
 import org.lwjgl.opengl.GL33C.GL_SAMPLER_2D
 
@@ -72,7 +71,7 @@ internal class SamplerFacts(
             capture: Capture,
             number: Int,
         ): List<Pair<String, Int?>> =
-            capture.frames.flatMap { it.steps }.filterIsInstance<CapturedDraw>().filter { it.program == number }.flatMap { draw ->
+            capture.drawsOf(number).flatMap { draw ->
                 draw.uniforms.filter { it.type == GL_SAMPLER_2D }.map { it.name to draw.textures[it.numbers[0].toInt()] }
             }
     }

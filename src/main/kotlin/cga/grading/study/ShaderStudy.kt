@@ -2,7 +2,6 @@ package cga.grading.study
 
 import cga.framework.InputError
 import cga.grading.capture.Capture
-import cga.grading.capture.CapturedDraw
 import cga.grading.capture.CapturedFrame
 import cga.grading.findings.Found
 import cga.grading.findings.Measured
@@ -65,7 +64,7 @@ public class ShaderStudy private constructor(
             val notes = mutableListOf<String>()
             val programs = mutableListOf<ProbeProgram>()
             val studies = LinkedHashMap<Int, ProgramStudy>()
-            val draws = capture.frames.flatMap { it.steps }.filterIsInstance<CapturedDraw>().groupBy { it.program }.minus(unlit)
+            val draws = capture.draws.groupBy { it.program }.minus(unlit)
             for ((number, all) in draws) {
                 try {
                     val captured = capture.programs.getOrNull(number) ?: throw InputError("program $number was not captured")

@@ -83,7 +83,7 @@ internal object Suns {
         // The same mesh may be drawn as several objects: the order in the picture tells them apart.
         val objects = capture.frames
             .flatMap { frame ->
-                val draws = frame.steps.filterIsInstance<CapturedDraw>().filter { it.program == number }
+                val draws = frame.drawsOf(number)
                 draws.groupBy(::mesh).flatMap { (mesh, same) -> same.mapIndexed { i, draw -> (mesh to i) to draw } }
             }.groupBy({ it.first }, { it.second })
         val all = objects.values.maxByOrNull { same -> extent(box, formula, capture, same.first()) } ?: return null

@@ -42,7 +42,7 @@ internal class UnlitDraws private constructor(
             capture: Capture,
             number: Int,
         ): Set<CapturedDraw> {
-            val pictures = capture.frames.map { frame -> frame.steps.filterIsInstance<CapturedDraw>().filter { it.program == number } }
+            val pictures = capture.frames.map { it.drawsOf(number) }
             val switches = pictures.flatMap(::switches).toSet()
             if (switches.isEmpty()) return emptySet()
             val kinds = pictures.flatten().groupBy { draw -> draw.uniforms.filter { it.name in switches }.map { it.numbers.toList() } }

@@ -13,9 +13,7 @@ internal class Sent(
     program: Int,
 ) {
     val frames: List<List<Sending>> =
-        capture.frames
-            .map { frame -> frame.steps.filterIsInstance<CapturedDraw>().filter { it.program == program }.map(::Sending) }
-            .filter { it.isNotEmpty() }
+        capture.frames.map { frame -> frame.drawsOf(program).map(::Sending) }.filter { it.isNotEmpty() }
 
     /** The very last draw: what is sent is complete by then. */
     val last: Sending get() = frames.last().last()

@@ -45,6 +45,12 @@ internal class MouseMove(
     }
 }
 
+/** A move of the mouse, and what the camera made of it. */
+internal class Reaction(
+    val move: MouseMove,
+    val turn: Turn,
+)
+
 /** How the camera moved about the motorcycle from one frame to the next; all in the motorcycle's space, world units. */
 internal class Turn(
     private val before: Shot,

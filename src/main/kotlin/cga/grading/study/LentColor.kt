@@ -5,8 +5,19 @@ import kotlin.math.abs
 
 /** Whether another light shines in the colour of one that is understood: what arrives is more than that one gives. */
 internal object LentColor {
-    /** Looks at [samples] for light in the colour of [light] that it does not explain. */
-    fun isLent(
+    /** The names of those [lights] in whose colour more shines at [samples] than they explain; none where a light has a cone. */
+    fun among(
+        lights: List<LightModel>,
+        roles: TextureRoles,
+        samples: List<Sample>,
+    ): Set<String> =
+        if (lights.any { it.cone != null }) {
+            emptySet()
+        } else {
+            lights.filter { isLent(it, roles, samples) }.map { it.name }.toSet()
+        }
+
+    private fun isLent(
         light: LightModel,
         roles: TextureRoles,
         samples: List<Sample>,

@@ -98,43 +98,29 @@ internal class ProgramStudy(
             val surface = surface(box, formula, DrawVertices(capture, draw))
             val suns = { seen: BlackBox, colors: ColorSlots -> Suns.among(seen, colors, formula, capture, number) }
             val clear = Fog.over(box)?.let(box::without) ?: box
-            val usual = sight(clear, surface, suns)
-            // What a shader adds to normals (the translation of a 4 × 4 matrix) is nothing beside long ones.
-            val long = if (usual.isOdd) sight(clear.withNormalLength(LONG), surface, suns) else usual
-            val sight = if (long.isOdd) usual else long
-            val (look, colors, lit) = sight
+            val (sight, normalsMoved) = Sight.of(clear, surface, suns)
+            val (look, colors) = sight.look to sight.colors
             val decoded = look.box
             if (colors.lights.isEmpty() && box.program.uniforms.any { isUnseparated(it, box, colors, surface) }) {
                 throw InputError("the lights cannot be told apart: what each adds depends on the others")
             }
             val search = look.search
             val samples = LightSearch(decoded, surface).samples(LightSearch.FEW_DIRECTIONS)
-            val roles = lit.roles
-            val lights = if (roles == null) emptyList() else lit.probes.mapNotNull { LightStudy(search, roles).of(it) }
+            val roles = sight.lit.roles
+            val lights = if (roles == null) emptyList() else sight.lit.probes.mapNotNull { LightStudy(search, roles).of(it) }
             val emission = EmissionStudy.of(decoded, colors, roles)
             return ProgramStudy(
                 number, decoded, formula, colors, roles, decoded.exponent, lights, emission,
                 SilentLights.of(decoded, colors, surface, roles),
-                sight !== usual,
+                normalsMoved,
                 colors.lights.isNotEmpty() && isAwake(box, decoded),
                 ConelessLights.of(decoded, colors, surface, roles, lights),
                 HiddenLights.areThere(decoded, colors, samples), SamplerFacts.of(capture, number),
                 sentValues(capture, number, draw), look.deadly, look.afterGamma == null,
-                AttributeOverlap.isThere(capture, number), roles?.let { lent(lights, it, samples) }.orEmpty(), surface,
+                AttributeOverlap.isThere(capture, number), roles?.let { LentColor.among(lights, it, samples) }.orEmpty(), surface,
                 Representative.other(capture, number, formula, decoded),
             )
         }
-
-        private fun lent(
-            lights: List<LightModel>,
-            roles: TextureRoles,
-            samples: List<Sample>,
-        ): Set<String> =
-            if (lights.any { it.cone != null }) {
-                emptySet()
-            } else {
-                lights.filter { LentColor.isLent(it, roles, samples) }.map { it.name }.toSet()
-            }
 
         /** Whether [slot] is a colour that is none of [colors], as the picture is no sum with it. */
         private fun isUnseparated(
@@ -147,28 +133,6 @@ internal class ProgramStudy(
             if (!isVector || slot in colors.flats + colors.factors + colors.silent) return false
             val samples = LightSearch(box, surface).samples(LightSearch.FEW_DIRECTIONS)
             return ColorSlots.brightens(box, samples, slot)
-        }
-
-        /** What is seen of a program before its lights are studied one by one. */
-        private data class Sight(
-            val look: FirstLook,
-            val colors: ColorSlots,
-            val lit: Lit,
-        ) {
-            /** Whether there is a light, and nothing that tells where it comes from. */
-            val isOdd: Boolean get() = lit.roles != null && (lit.roles.diffuse == null || !lit.isPlaced)
-        }
-
-        private fun sight(
-            box: BlackBox,
-            surface: List<Vector3d>,
-            suns: (BlackBox, ColorSlots) -> Set<ActiveUniform>,
-        ): Sight {
-            val look = FirstLook.of(box, surface)
-            val samples = LightSearch(look.box, surface).samples(LightSearch.FEW_DIRECTIONS)
-            val all = if (box.program.deep.isEmpty()) look.colors else HiddenLights.added(look.box, look.colors, samples)
-            val colors = all.withSuns(suns(look.box, all))
-            return Sight(look, colors, Lit.of(look.box, colors, look.search))
         }
 
         /** The black box of [draw]. */
@@ -240,6 +204,5 @@ internal class ProgramStudy(
         /** View-space units. */
         private const val SAME = 1e-2
         private const val SURFACE = 240
-        private const val LONG = 1048576.0
     }
 }

@@ -24,6 +24,22 @@ class LightMistakesTest {
         arrayOf(Check.POINT_LIGHT, Check.POINT_LIGHT_CHILD, Check.POINT_LIGHT_POSITION, Check.LIGHT_COLOR)
 
     @Test
+    fun `lights that are moved on by as much at each picture, and lights that fly about with time`() {
+        fun rig(way: (Moment, Double) -> Double) = object : Rig() {
+            override fun lights(moment: Moment, t: Double, view: Matrix4d): List<ObservedLight> =
+                super.lights(moment, t, view).map {
+                    val moved = view.transformDirection(Vector3d(0.0, way(moment, t), 0.0))
+                    ObservedLight(it.name, Vector3d(it.position).add(moved), it.color, it.k, it.spot)
+                }
+        }
+        val wandering = rig { moment, _ -> 1.2 * moment.ordinal }.verdict()
+        assertEquals(listOf(Mistake.UNKNOWN), wandering.mistakes.map { it.mistake }, wandering.text())
+        assertEquals(1.0, wandering[Check.POINT_LIGHT_POSITION]?.error, wandering.text())
+        val flying = rig { _, t -> 0.3 * t }.verdict()
+        assertEquals(emptyList<Mistake>(), flying.mistakes.map { it.mistake }, flying.text())
+    }
+
+    @Test
     fun `of lights all around the motorcycle none is its own, one that is much nearer is`() {
         fun verdict(near: Float): SceneVerdict {
             val places = listOf(Vector3f(5f, 1f, 5f), Vector3f(-5f, 1f, 5f), Vector3f(near, 1f, -near))

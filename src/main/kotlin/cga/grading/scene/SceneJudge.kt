@@ -108,7 +108,7 @@ public object SceneJudge {
         ColorJudge(timeline, roles, events.any { it.kind == EventKind.UNIFORM_ABSENT }, book).judge()
         OrbitJudge(timeline, profile, book).judge()
         MoreLightsJudge(timeline, roles, book).judge()
-        DriftJudge(timeline.frames, roles, book).judge()
+        DriftJudge(timeline, roles, book).judge()
         OrderJudge(timeline, roles, events, program.drawn, book).judge()
     }
 

@@ -34,7 +34,7 @@ internal class FirstLook private constructor(
                 val colors = ColorSlots.of(decoded, few, many)
                 if (colors.lights.isNotEmpty()) return FirstLook(decoded, colors, LightSearch(decoded, surface))
             }
-            besideGamma(box, surface, few, many)?.let { return it }
+            if (!isDead) besideGamma(box, surface, few, many)?.let { return it }
             val clamped = ColorSlots.of(box, few, many, isSumClamped = true)
             if (clamped.lights.isNotEmpty() && !isDead) return FirstLook(box, clamped, search)
             // One light that divides by what was never sent can make all of the picture NaN.

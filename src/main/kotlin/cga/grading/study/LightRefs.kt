@@ -123,7 +123,9 @@ internal class LightRefs(
     fun sentTo(element: String, active: Set<String>): LightRefs? {
         val slot = color.replaceFirst(ArrayNames.ELEMENT, element)
         val place = position.of(element)
-        if (cone != null || place.name == position.name || place.name !in active) return null
+        // Lights that are packed into one array, one number after the other, have elements that are no lights.
+        val isPacked = position.name?.let(ArrayNames.ELEMENT::find)?.value != ArrayNames.ELEMENT.find(color)?.value
+        if (cone != null || isPacked || place.name == position.name || place.name !in active) return null
         return LightRefs(slot, slot, scale, place, k.map { it.of(element) }, null)
     }
 

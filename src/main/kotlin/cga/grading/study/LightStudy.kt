@@ -103,7 +103,8 @@ internal class LightStudy(
         val straight = AttenuationFit.of(amplitudes, seen?.brightest)
         // Towards another place that distances are measured from, a law with negative terms fits.
         val isOdd = straight.error > AttenuationFit.ACCEPTED || straight.k.run { minOf(x(), y(), z()) } < 0
-        val elsewhere = if (isOdd) AttenuationFit.fromElsewhere(amplitudes, search.hints) else null
+        val others = search.hints.filter { it.distance(placement.view) > APART }
+        val elsewhere = if (isOdd) AttenuationFit.fromElsewhere(amplitudes, others) else null
         val beam = if (isOdd && elsewhere == null) StrayBeam.of(amplitudes, lit, axes, search.hints) else null
         val isUneven = seen != null && seen.residual > UNEVEN && elsewhere == null && beam == null
         val stray = if (isUneven) StrayDistance.of(amplitudes, seen, lit, axes, search.hints) else null

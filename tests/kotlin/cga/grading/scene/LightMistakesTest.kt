@@ -398,6 +398,32 @@ class LightMistakesTest {
     }
 
     @Test
+    fun `the spotlight sends its place and its colour under the point light's names, too`() {
+        val rig = object : Rig() {
+            override fun lights(moment: Moment, t: Double, view: Matrix4d): List<ObservedLight> {
+                val all = super
+                    .lights(
+                        moment,
+                        t,
+                        view,
+                    ).map { ObservedLight(it.name, it.position, it.color, it.k, it.spot, "${it.name}.place") }
+                val spot = all.single { it.spot != null }
+                return all.map {
+                    if (it.name ==
+                        own.name
+                    ) {
+                        ObservedLight(it.name, spot.position, spot.color, it.k, null, it.placedBy)
+                    } else {
+                        it
+                    }
+                }
+            }
+        }
+        val events = listOf(CapturedEvent(EventKind.UNIFORM_OVERWRITTEN, 0, "bike_lamp.place"))
+        rig.verdict(events = events).assertMistake(Mistake.LIGHT_POSITION_OVERWRITTEN)
+    }
+
+    @Test
     fun `lights that nobody moved are at one place without one position for all`() {
         fun rig(place: Vector3d) =
             object : Rig() {

@@ -105,6 +105,38 @@ class SpotMistakesTest {
     }
 
     @Test
+    fun `a headlight, or a camera, whose own matrix comes before the motorcycle's`() {
+        val own = Matrix4d().translation(0.0, 0.9, -1.6).rotateX(Math.toRadians(-8.0))
+        val swapped = object : Rig() {
+            private fun turned() = Matrix4d(own).mul(rigidPart(motorcycle.getWorldModelMatrix(Matrix4d())))
+
+            override fun position(lamp: Lamp, view: Matrix4d): Vector3d =
+                if (lamp === head) view.transformPosition(turned().getTranslation(Vector3d())) else super.position(lamp, view)
+
+            override fun direction(lamp: Lamp, view: Matrix4d): Vector3d =
+                view.transformDirection(turned().transformDirection(Vector3d(0.0, 0.0, -1.0)))
+        }
+        val verdict = swapped.verdict()
+        assertEquals(listOf(Mistake.UNKNOWN), verdict.mistakes.map { it.mistake }, verdict.text())
+        assertEquals(1.0, verdict[Check.SPOT_LIGHT_CHILD]?.error, verdict.text())
+        val camera = object : Rig() {
+            private var angle = 0.0
+
+            override fun orbit(dx: Double, dy: Double) {
+                angle -= 0.002 * dx
+            }
+
+            override fun view(): Matrix4d {
+                val local = Matrix4d().rotateY(angle).rotateX(Math.toRadians(-35.0)).translate(0.0, 0.0, 4.0)
+                return local.mul(rigidPart(motorcycle.getWorldModelMatrix(Matrix4d()))).invert()
+            }
+        }
+        val seen = camera.verdict()
+        assertEquals(listOf(Mistake.UNKNOWN), seen.mistakes.map { it.mistake }, seen.text())
+        assertEquals(1.0, seen[Check.ORBIT_PIVOT]?.error, seen.text())
+    }
+
+    @Test
     fun `the bind that sends neither cone nor direction costs the cone`() {
         val rig = object : Rig() {
             val odd = Lamp("lamp", head.body, SPOT_K, Double.NaN, Double.NaN, true) { HEAD_COLOR }

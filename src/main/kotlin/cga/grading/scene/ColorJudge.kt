@@ -130,6 +130,14 @@ internal class ColorJudge(
             val (error, what) = if (own.changesColor) 0.0 to "changes" else 1.0 to "never changes"
             return book.measured(Check.LIGHT_COLOR, error, "The light ${own.name} $what its colour.")
         }
+        val worn = roles.spot?.takeIf { it !== own && book.has(Mistake.LIGHT_POSITION_OVERWRITTEN) && timeline.isOneColor(own, it) }
+        if (worn != null) {
+            return book.measured(
+                Check.LIGHT_COLOR,
+                0.0,
+                "The light ${own.name} has the colour of ${worn.name}, and its place as well: that costs at the place.",
+            )
+        }
         val pairs = tints.mapNotNull { tint -> own.at(tint.moment)?.let { tint to it.color } }
         if (pairs.isEmpty()) return book.measured(Check.LIGHT_COLOR, null, "${own.name} is in no frame.")
         val slack = speed(tints) * SLACK

@@ -107,7 +107,7 @@ internal class PositionJudge(
         for (i in lights.indices) {
             val same = lights.drop(i + 1).filter { together(lights[i], it) && isOneNumber(lights[i], it) && !isTwin(lights[i], it) }
             if (same.isEmpty()) continue
-            if (same.all { isCopy(lights[i], it) }) {
+            if (same.all { isCopy(lights[i], it) } && (same + lights[i]).none { it.last.placedBy in overwritten }) {
                 twice(lights[i], same.first())
                 continue
             }
@@ -127,10 +127,7 @@ internal class PositionJudge(
     private fun isCopy(
         a: LightTrack,
         b: LightTrack,
-    ): Boolean = a.isSpot != b.isSpot && timeline.frames.all { frame ->
-        val (one, other) = listOf(a, b).map { it.at(frame.moment)?.color ?: return@all true }
-        one.distance(other) <= SAME_COLOR * one.length()
-    }
+    ): Boolean = a.isSpot != b.isSpot && timeline.isOneColor(a, b)
 
     private fun twice(
         a: LightTrack,
@@ -214,9 +211,6 @@ internal class PositionJudge(
     }
 
     private companion object {
-        /** Relative: both are sent from the same numbers. */
-        const val SAME_COLOR = 1e-5
-
         /** Float matrices that hundreds of rotations were multiplied into stretch by 1e-4. */
         const val RIGID = 2e-3
 

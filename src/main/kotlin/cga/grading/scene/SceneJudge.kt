@@ -107,6 +107,7 @@ public object SceneJudge {
         AttenuationJudge(roles, profile, book).judge()
         ColorJudge(timeline, roles, events.any { it.kind == EventKind.UNIFORM_ABSENT }, book).judge()
         OrbitJudge(timeline, profile, book).judge()
+        ParentOrder(timeline, roles, book).judge()
         MoreLightsJudge(timeline, roles, book).judge()
         DriftJudge(timeline, roles, book).judge()
         OrderJudge(timeline, roles, events, program.drawn, book).judge()

@@ -71,3 +71,15 @@ internal class Timeline(
             )
     }
 }
+
+/** Whether two lights have the same colour in every picture: both are sent from the same numbers. */
+internal fun Timeline.isOneColor(
+    a: LightTrack,
+    b: LightTrack,
+): Boolean = frames.all { frame ->
+    val (one, other) = listOf(a, b).map { it.at(frame.moment)?.color ?: return@all true }
+    one.distance(other) <= SAME_COLOR * one.length()
+}
+
+/** Relative. */
+private const val SAME_COLOR = 1e-5

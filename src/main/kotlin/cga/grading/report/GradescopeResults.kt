@@ -4,6 +4,7 @@ import cga.framework.AtomicFile
 import cga.grading.findings.Findings
 import cga.grading.findings.Graded
 import cga.grading.findings.Measured
+import cga.grading.findings.Mistake
 import cga.grading.rubric.CheckGrade
 import cga.grading.rubric.CheckState
 import cga.grading.rubric.Grade
@@ -68,7 +69,19 @@ public object GradescopeResults {
                 val open = submission.grade?.open ?: 0.0
                 val mistakes = (submission.outcome as? Graded)?.findings?.mistakes.orEmpty().map { it.mistake }.distinct()
                 listOf(messages.text("page.open", messages.number(open))).filter { open > 0 } +
-                    mistakes.map(messages::of).map { "${it.title}. ${it.text}\n${messages.text("page.hint")}: ${it.hint}" }
+                    mistakes.map { mistake ->
+                        val words = messages.of(mistake)
+                        val grade = submission.grade
+                        val seen = if (mistake == Mistake.UNKNOWN &&
+                            grade != null
+                        ) {
+                            deviations(grade, messages).map { "- $it" }
+                        } else {
+                            emptyList()
+                        }
+                        val lines = listOf("${words.title}. ${words.text}") + seen + "${messages.text("page.hint")}: ${words.hint}"
+                        lines.joinToString("\n")
+                    }
             }
         return parts.filter { it.isNotBlank() }.joinToString("\n\n").ifEmpty { score(submission, messages) }
     }

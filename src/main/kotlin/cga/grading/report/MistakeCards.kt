@@ -10,10 +10,12 @@ import kotlinx.html.FlowContent
 import kotlinx.html.details
 import kotlinx.html.div
 import kotlinx.html.h2
+import kotlinx.html.li
 import kotlinx.html.p
 import kotlinx.html.section
 import kotlinx.html.span
 import kotlinx.html.summary
+import kotlinx.html.ul
 
 /** A card for each mistake: what it is, what it costs, a hint, and the pictures that prove it. */
 internal fun FlowContent.mistakes(findings: Findings, grade: Grade, rubric: Rubric, pictures: EvidencePictures, messages: Messages) {
@@ -27,14 +29,23 @@ internal fun FlowContent.mistakes(findings: Findings, grade: Grade, rubric: Rubr
     for (found in mistakes) {
         val lost = if (found.mistake != Mistake.UNKNOWN && told.add(found.mistake.check)) lost(found, grade, rubric) else 0.0
         val proofs = if (told.add("proofs of ${found.mistake.check}")) pictures.proofs(found.mistake.check) else emptyList()
-        card(found, lost, proofs, messages)
+        val seen = if (found.mistake == Mistake.UNKNOWN) deviations(grade, messages) else emptyList()
+        card(found, lost, seen, proofs, messages)
     }
 }
 
 private fun lost(found: Found, grade: Grade, rubric: Rubric): Double =
     grade.checks.first { it.check == found.mistake.check }.let { it.maximum - (it.points ?: it.maximum) }.coerceAtMost(rubric.total)
 
-private fun FlowContent.card(found: Found, lost: Double, proofs: List<EvidenceView>, messages: Messages) {
+/** What was measured of the checks that cost something and that no mistake with a name explains, a sentence each. */
+internal fun deviations(grade: Grade, messages: Messages): List<String> {
+    val title = messages.of(Mistake.UNKNOWN).title
+    val said = grade.checks.filter { it.state == CheckState.INEXACT }.map { it.check to cleanLine(messages.say(it.text), MOST_SAID) }
+    val told = said.filter { (_, text) -> text.isNotBlank() && title !in text }.take(MOST_DEVIATIONS)
+    return told.map { (check, text) -> "${messages.of(check).title}: $text" }
+}
+
+private fun FlowContent.card(found: Found, lost: Double, seen: List<String>, proofs: List<EvidenceView>, messages: Messages) {
     val words = messages.of(found.mistake)
     section(if (lost > 0 || found.mistake == Mistake.UNKNOWN) "case fail" else "case warn") {
         details {
@@ -45,6 +56,7 @@ private fun FlowContent.card(found: Found, lost: Double, proofs: List<EvidenceVi
                 if (found.mistake != Mistake.UNKNOWN) span("cost") { +cost(found, lost, messages) }
             }
             p { +words.text }
+            if (seen.isNotEmpty()) ul { seen.forEach { li { +it } } }
             if (found.where.isNotBlank()) p("figures") { +"${messages.text("page.where")}: ${cleanLine(messages.say(found.where))}" }
             if (found.alternatives.isNotEmpty()) {
                 p {
@@ -79,3 +91,5 @@ private fun cost(found: Found, lost: Double, messages: Messages): String =
     if (lost > 0) "−${messages.number(lost)} · ${messages.of(found.mistake.check).title}" else messages.text("page.costs-nothing")
 
 private const val MOST_PROOFS = 3
+private const val MOST_DEVIATIONS = 5
+private const val MOST_SAID = 600

@@ -67,8 +67,8 @@ internal class LightJudge(
         strange: LightTrack?,
     ) {
         val home = if (strange == null) Check.SPOT_LIGHT else Check.CONE
-        SPOT.forEach { book.measured(it, if (it == home) 1.0 else 0.0, text) }
-        val explains = setOf(Check.ATTENUATION_SPOT, Check.CONE_SPECULAR, Check.MORE_LIGHTS_SHADING)
+        SPOT.forEach { book.measured(it, 1.0, text) }
+        val explains = SPOT + setOf(Check.CONE_SPECULAR, Check.MORE_LIGHTS_SHADING) - home
         book.found(Mistake.UNKNOWN, 1.0, 1.0, strange?.name ?: "spotlight", explains = explains)
     }
 

@@ -73,10 +73,10 @@ internal class DriftJudge(
         const val FEWEST = 3
         const val LEAST = 0.01
         const val SAME_SHARE = 1e-3
-        const val SAME_STEP = 1e-2
+        const val SAME_STEP = 2e-3
         const val LONGER = 1.5
 
-        /** World units. */
-        const val WAY = 1e-2
+        /** World units: at 60 pictures a second faster than anybody lets a light fly; what is added by mistake is a whole place. */
+        const val WAY = 0.3
     }
 }

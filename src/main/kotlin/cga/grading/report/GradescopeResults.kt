@@ -69,21 +69,15 @@ public object GradescopeResults {
                 val open = submission.grade?.open ?: 0.0
                 val mistakes = (submission.outcome as? Graded)?.findings?.mistakes.orEmpty().map { it.mistake }.distinct()
                 listOf(messages.text("page.open", messages.number(open))).filter { open > 0 } +
-                    mistakes.map { mistake ->
-                        val words = messages.of(mistake)
-                        val grade = submission.grade
-                        val seen = if (mistake == Mistake.UNKNOWN &&
-                            grade != null
-                        ) {
-                            deviations(grade, messages).map { "- $it" }
-                        } else {
-                            emptyList()
-                        }
-                        val lines = listOf("${words.title}. ${words.text}") + seen + "${messages.text("page.hint")}: ${words.hint}"
-                        lines.joinToString("\n")
-                    }
+                    mistakes.map { told(it, submission.grade, messages) }
             }
         return parts.filter { it.isNotBlank() }.joinToString("\n\n").ifEmpty { score(submission, messages) }
+    }
+
+    private fun told(mistake: Mistake, grade: Grade?, messages: Messages): String {
+        val words = messages.of(mistake)
+        val seen = grade?.takeIf { mistake == Mistake.UNKNOWN }?.let { deviations(it, messages) }.orEmpty().map { "- $it" }
+        return (listOf("${words.title}. ${words.text}") + seen + "${messages.text("page.hint")}: ${words.hint}").joinToString("\n")
     }
 
     private fun score(submission: GradedSubmission, messages: Messages) =

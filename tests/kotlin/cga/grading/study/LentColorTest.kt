@@ -1,6 +1,5 @@
 package cga.grading.study
 
-import cga.grading.capture.CapturedDraw
 import cga.testing.Offscreen
 import org.junit.jupiter.api.Assertions.assertEquals
 import org.junit.jupiter.api.Assertions.assertTrue
@@ -9,14 +8,7 @@ import org.junit.jupiter.api.extension.ExtendWith
 
 @ExtendWith(Offscreen::class)
 class LentColorTest {
-    private fun lent(fragment: String): Set<String> {
-        val capture = SceneCapture.of(CourseShaders.VERTEX, fragment)
-        return ProbeRig().use { rig ->
-            ProbeProgram(capture.programs[0]).use { program ->
-                ProgramStudy.of(rig, program, capture, 0, capture.frames[0].steps[1] as CapturedDraw).lent
-            }
-        }
-    }
+    private fun lent(fragment: String) = SceneCapture.of(CourseShaders.VERTEX, fragment).study().lent
 
     private fun edited(
         old: String,

@@ -1,6 +1,5 @@
 package cga.grading.study
 
-import cga.grading.capture.CapturedDraw
 import cga.grading.findings.Check
 import cga.testing.Offscreen
 import org.junit.jupiter.api.Assertions.assertEquals
@@ -10,16 +9,7 @@ import org.junit.jupiter.api.extension.ExtendWith
 
 @ExtendWith(Offscreen::class)
 class LongConeTest {
-    private val scene = TestScene()
-
-    private fun study(fragment: String): ProgramStudy {
-        val capture = SceneCapture.of(CourseShaders.VERTEX, fragment, scene)
-        return ProbeRig().use { rig ->
-            ProbeProgram(capture.programs[0]).use { program ->
-                ProgramStudy.of(rig, program, capture, 0, capture.frames[0].steps[1] as CapturedDraw)
-            }
-        }
-    }
+    private fun study(fragment: String) = SceneCapture.of(CourseShaders.VERTEX, fragment).study()
 
     @Test
     fun `a cone by the vector to the light at its full length costs the cone, and its light still fades by its law`() {

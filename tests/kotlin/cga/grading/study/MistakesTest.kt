@@ -1,7 +1,5 @@
 package cga.grading.study
 
-import cga.grading.capture.CapturedDraw
-import cga.grading.findings.Found
 import cga.grading.findings.Mistake
 import cga.testing.Offscreen
 import org.joml.Matrix4dc
@@ -381,18 +379,9 @@ class MistakesTest {
 
     private fun check(case: Case) {
         val capture = SceneCapture.of(case.vertex, case.fragment, scene) { model -> case.sent(model, scene.uniforms(model)) }
-        val found = mutableListOf<Found>()
-        ProbeRig().use { rig ->
-            ProbeProgram(capture.programs[0]).use { program ->
-                found += ProgramDeviations.of(ProgramStudy.of(rig, program, capture, 0, capture.frames[0].steps[1] as CapturedDraw))
-            }
+        val found = ProgramDeviations.of(capture.study())
+        assertEquals(case.expected, found.map { it.mistake }.toSet()) {
+            found.joinToString("\n") { "${it.mistake} at ${it.where}: fit ${it.fit}, difference ${it.difference}" }
         }
-        assertEquals(
-            case.expected,
-            found
-                .map {
-                    it.mistake
-                }.toSet(),
-        ) { found.joinToString("\n") { "${it.mistake} at ${it.where}: fit ${it.fit}, difference ${it.difference}" } }
     }
 }

@@ -161,6 +161,12 @@ internal object SceneCapture {
     }
 }
 
+/** What the study of the motorcycle's draw finds out. */
+internal fun Capture.study(): ProgramStudy =
+    ProbeRig().use { rig ->
+        ProbeProgram(programs[0]).use { program -> ProgramStudy.of(rig, program, this, 0, frames[0].steps[1] as CapturedDraw) }
+    }
+
 /** The same draw, but for what is given. */
 internal fun CapturedDraw.copied(
     state: DrawState = this.state,

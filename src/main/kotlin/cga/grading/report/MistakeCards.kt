@@ -40,7 +40,7 @@ private fun lost(found: Found, grade: Grade, rubric: Rubric): Double =
 /** What was measured of the checks that cost something and that no mistake with a name explains, a sentence each. */
 internal fun deviations(grade: Grade, messages: Messages): List<String> {
     val title = messages.of(Mistake.UNKNOWN).title
-    val said = grade.checks.filter { it.state == CheckState.INEXACT }.map { it.check to cleanLine(messages.say(it.text), MOST_SAID) }
+    val said = grade.checks.filter { it.state == CheckState.INEXACT }.map { it.check to said(it, messages) }
     val told = said.filter { (_, text) -> text.isNotBlank() && title !in text }.take(MOST_DEVIATIONS)
     return told.map { (check, text) -> "${messages.of(check).title}: $text" }
 }
@@ -92,4 +92,3 @@ private fun cost(found: Found, lost: Double, messages: Messages): String =
 
 private const val MOST_PROOFS = 3
 private const val MOST_DEVIATIONS = 5
-private const val MOST_SAID = 600

@@ -70,7 +70,7 @@ private fun TD.what(check: CheckGrade, messages: Messages) {
         +words.title
     }
     val cause = check.cause
-    val said = cleanLine(messages.say(check.text), MOST_SAID)
+    val said = said(check, messages)
     val (error, state) = check.error to check.state
     when {
         state == CheckState.EXPLAINED && cause != null -> p("remark") { +messages.text("page.explained-by", messages.of(cause).title) }
@@ -84,6 +84,9 @@ private fun TD.what(check: CheckGrade, messages: Messages) {
     }
     if (said.isNotBlank()) p("remark") { +said }
 }
+
+/** What was measured of [check], as a reader sees it. */
+internal fun said(check: CheckGrade, messages: Messages): String = cleanLine(messages.say(check.text), MOST_SAID)
 
 private const val MOST_SAID = 600
 

@@ -44,7 +44,7 @@ internal class LightJudge(
     private fun spot() {
         val spot = roles.spot
         if (spot == null) {
-            val strange = (roles.further + listOfNotNull(roles.own)).find { it.name in program.strange && it.placed.place?.rides == true }
+            val strange = (roles.further + listOfNotNull(roles.own)).find { it.name in program.strange && it.rides }
             val other = strange?.let { "${it.name} shines unevenly, and in no cone around a direction." }
                 ?: program.lent.firstOrNull()?.let {
                     "No light with a cone shines in a colour of its own; $it is the colour of another light too."

@@ -28,17 +28,17 @@ internal class LightRoles(
     /** These, without a spotlight where the cone is another's than the headlight's. */
     private fun uncrossed(timeline: Timeline): LightRoles {
         val coned = spot ?: return this
-        val isOther = !coned.rides() && distance(coned, timeline) > FAR_OFF * cameraDistance(timeline)
-        val rest = further.find { it.rides() }
+        val isOther = !coned.rides && distance(coned, timeline) > FAR_OFF * cameraDistance(timeline)
+        val rest = further.find { it.rides }
         return when {
             isOther && rest != null -> LightRoles(own, null, further - rest, unlit, idle, Crossed(coned, rest))
-            own != null && coned.rides() && isHeadlight(own) && isPointLight(coned) ->
+            own != null && coned.rides && isHeadlight(own) && isPointLight(coned) ->
                 LightRoles(coned, null, further, unlit, idle, Crossed(coned, own))
             else -> this
         }
     }
 
-    private fun isHeadlight(light: LightTrack) = light.rides() && !light.changesColor && light.hasK(TABLE_1.spotK)
+    private fun isHeadlight(light: LightTrack) = light.rides && !light.changesColor && light.hasK(TABLE_1.spotK)
 
     private fun isPointLight(light: LightTrack) = light.changesColor && light.hasK(TABLE_1.pointK)
 
@@ -55,13 +55,13 @@ internal class LightRoles(
             val spots = if (cones.size > 1 && cones.size == shining.size) listOf(headlight(cones)) else cones
             val points = shining - spots.toSet()
             val idle = idle(timeline)
-            val own = own(points, timeline).takeIf { idle == null || it?.rides() == true }
+            val own = own(points, timeline).takeIf { idle == null || it?.rides == true }
             val others = points - setOfNotNull(own).toSet()
             // The headlight rides along too.
-            val meant = if (canCone && spots.isEmpty() && timeline.cast.driven) others.find { it.rides() } else null
+            val meant = if (canCone && spots.isEmpty() && timeline.cast.driven) others.find { it.rides } else null
             return LightRoles(
                 own,
-                spots.find { it.rides() } ?: spots.firstOrNull() ?: meant,
+                spots.find { it.rides } ?: spots.firstOrNull() ?: meant,
                 others - setOfNotNull(meant).toSet(),
                 unlit.map { it.name }.toSet(),
                 idle.takeIf { own == null },
@@ -70,7 +70,7 @@ internal class LightRoles(
 
         /** Of lights that all have cones the one that was meant to: it rides along, keeps its colour, and is the narrowest. */
         private fun headlight(cones: List<LightTrack>): LightTrack =
-            cones.minWith(compareBy({ !it.rides() }, { it.changesColor }, { it.cone?.outerAngle }))
+            cones.minWith(compareBy({ !it.rides }, { it.changesColor }, { it.cone?.outerAngle }))
 
         private fun own(
             points: List<LightTrack>,
@@ -78,7 +78,7 @@ internal class LightRoles(
         ): LightTrack? {
             val near = { light: LightTrack -> distance(light, timeline) }
             // Many may ride along; the motorcycle's colour tells which is meant, then how near it is.
-            val riding = points.filter { it.rides() }
+            val riding = points.filter { it.rides }
             if (timeline.cast.driven && riding.isNotEmpty()) return riding.find { it.changesColor } ?: riding.minBy(near)
             val close = points.filter { near(it) <= MEANT * cameraDistance(timeline) && wandered(it, timeline) < WANDERS * near(it) }
             // One of many around the motorcycle is none of its own.
@@ -90,7 +90,7 @@ internal class LightRoles(
         private fun idle(timeline: Timeline): LightTrack? {
             val idle = LightTrack.all(timeline.frames, ObservedFrame::idle).filter { it.shines }
             Placed.all(idle, timeline)
-            return idle.find { it.rides() && it.placed.static > Placed.HOLDS }
+            return idle.find { it.rides && it.placed.static > Placed.HOLDS }
         }
 
         /** How far [light] goes in the world while the motorcycle stands. */
@@ -102,8 +102,6 @@ internal class LightRoles(
             val places = standing.mapNotNull { timeline.world(light, it) }
             return places.maxOfOrNull { it.distance(places[0]) } ?: 0.0
         }
-
-        private fun LightTrack.rides() = placed.place?.rides == true
 
         private fun LightTrack.hasK(k: Vector3dc?) = k != null && last.k.distance(k) < SAME_K
 

@@ -39,6 +39,9 @@ internal class LightTrack(
     /** The best of the hypotheses, those first that are right. */
     var placed: Placed = Placed.UNKNOWN
 
+    /** Whether it is known to move with the motorcycle. */
+    val rides: Boolean get() = placed.place?.rides == true
+
     companion object {
         const val DARK = 1e-6
         private const val CHANGE = 0.02

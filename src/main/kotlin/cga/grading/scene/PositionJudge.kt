@@ -187,7 +187,7 @@ internal class PositionJudge(
         a: LightTrack,
         b: LightTrack,
     ): Boolean {
-        if (!a.isRider() || !b.isRider() || listOf(a, b).any { it.placed.place?.rides != true }) return false
+        if (!a.isRider() || !b.isRider() || !a.rides || !b.rides) return false
         book.note("${a.name} and ${b.name} are at the same place, each sent by itself.")
         return true
     }

@@ -98,6 +98,8 @@ tasks.test {
     useJUnitPlatform()
     // They read shaders, assets, goldens, docs and the build files as well: never up to date.
     outputs.upToDateWhen { false }
+    // Two cores are what the tests are planned for, and most of them use one.
+    maxParallelForks = 2
     maxHeapSize = "2g"
     jvmArgs(nativeAccess)
     systemProperty("java.awt.headless", "true")

@@ -25,6 +25,7 @@ private class GradleBuild(private val catalogue: Catalogue, private val settings
             put("warnings are errors", ("allWarningsAsErrors = true" in script).toString())
             put("compiler", strings(find("""freeCompilerArgs\.addAll\((.+)\)""", script)).joinToString())
             put("explicit API", ("explicitApi()" in script).toString())
+            put("test processes", find("""maxParallelForks = (\d+)""", block("tasks.test")))
             put("test heap", find("""maxHeapSize = "(.+)"""", block("tasks.test")))
             putAll(calls("systemProperty", "test property"))
             putAll(calls("environment", "test environment"))

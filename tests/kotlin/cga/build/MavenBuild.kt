@@ -50,7 +50,8 @@ private class MavenBuild(pom: String) {
         val properties = arguments.filter { it.startsWith("-D") }.associate {
             "test property ${it.substringBefore('=').drop(2)}" to it.substringAfter('=')
         }
-        return environment + properties + ("test heap" to arguments.single { it.startsWith("-Xmx") }.drop(4))
+        val heap = arguments.single { it.startsWith("-Xmx") }.drop(4)
+        return environment + properties + mapOf("test processes" to surefire.value("forkCount"), "test heap" to heap)
     }
 
     private fun dependencies(): Map<String, String> {

@@ -94,6 +94,19 @@ class VerdictTest {
     }
 
     @Test
+    fun `what a shader makes of numbers of a cone that never arrive is no mistake of its own`() {
+        val hard = shading(found(Mistake.CONE_HARD_EDGE, "s"))
+        for (mistake in listOf(Mistake.UNIFORM_BEFORE_USE, Mistake.UNIFORM_ABSENT)) {
+            val lost = scene(found(mistake, explains = setOf(Check.CONE)), errors = mapOf(Check.CONE to 1.0))
+            assertEquals(listOf(mistake), Verdict.of(hard, lost).names())
+            assertEquals(
+                setOf(mistake, Mistake.CONE_HARD_EDGE),
+                Verdict.of(hard, scene(found(mistake, explains = emptySet()))).names().toSet(),
+            )
+        }
+    }
+
+    @Test
     fun `what is wrong and has no name is said to be unknown, once, and not where it is a matter of exactness`() {
         val verdict = Verdict.of(shading(), scene(errors = mapOf(Check.SPOT_DIRECTION to 1.0, Check.MORE_LIGHTS to 0.5)))
         assertEquals(listOf(Mistake.UNKNOWN), verdict.names())

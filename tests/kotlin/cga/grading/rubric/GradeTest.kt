@@ -60,6 +60,18 @@ class GradeTest {
     }
 
     @Test
+    fun `a name that no program has costs what it was the name of`() {
+        fun cost(vararg lost: Check) = grade(lost.associateWith { 1.0 }, found(Mistake.UNIFORM_ABSENT, lost.toSet()))
+            .checks
+            .single { it.state == CheckState.MISTAKE }
+            .check
+        assertEquals(Check.CONE, cost(Check.CONE, Check.CONE_SPECULAR))
+        assertEquals(Check.MOTORCYCLE_COLOR, cost(Check.MOTORCYCLE_COLOR))
+        assertEquals(Check.SPOT_LIGHT, cost(Check.CONE, Check.SPOT_LIGHT))
+        assertEquals(Check.POINT_LIGHT, cost())
+    }
+
+    @Test
     fun `something unknown costs by its size, and what it is known to spoil is not charged again`() {
         val errors = mapOf(Check.SPECULAR to 1.0, Check.HALF_VECTOR to 1.0)
         val spoilt = grade(errors, found(Mistake.UNKNOWN, spoiltBy(Check.SPECULAR)))

@@ -2,11 +2,13 @@ package cga.grading.scene
 
 import cga.grading.capture.CapturedEvent
 import cga.grading.capture.EventKind
+import cga.grading.capture.Key
 import cga.grading.capture.Moment
 import cga.grading.findings.Check
 import cga.grading.findings.Mistake
 import org.joml.Vector3d
 import org.junit.jupiter.api.Assertions.assertEquals
+import org.junit.jupiter.api.Assertions.assertTrue
 import org.junit.jupiter.api.Test
 import kotlin.math.abs
 import kotlin.math.sin
@@ -42,6 +44,23 @@ class ColorMistakesTest {
             override fun motorcycleTint(t: Double) = Vector3d(abs(sin(step + 1)), abs(sin(step + 2)), abs(sin(step + 3)))
         }
         rig.verdict().assertMistake(Mistake.COLOR_CONSTANT)
+    }
+
+    @Test
+    fun `a colour that is only set while the motorcycle is driven`() {
+        val rig = object : Rig() {
+            private var driven = 0.0
+
+            override fun update(dt: Double, t: Double, keys: Set<Key>) {
+                super.update(dt, t, keys)
+                if (Key.FORWARD in keys) driven = t
+            }
+
+            override fun motorcycleTint(t: Double) = super.motorcycleTint(driven + 1)
+        }
+        val verdict = rig.verdict()
+        verdict.assertMistake(Mistake.COLOR_CONSTANT)
+        assertTrue("only changes while" in verdict[Check.MOTORCYCLE_COLOR]?.text.orEmpty(), verdict.text())
     }
 
     @Test
@@ -127,6 +146,25 @@ class ColorMistakesTest {
         val told = Black().verdict(events = events, uniforms = setOf("scneColor"), program = ProgramFacts(setOf("scneColor")))
         told.assertMistake(Mistake.EMISSION_MISSING, *costs)
         assertEquals(listOf("Set but in no program: sceneColor (is scneColor meant?)."), told.notes)
+    }
+
+    @Test
+    fun `a motorcycle in the ground's colour, its own sent to a name that no program has`() {
+        class Worn : Rig() {
+            override fun motorcycleTint(t: Double) = Vector3d(0.0, 1.0, 0.0)
+
+            override fun ownColor(t: Double) = Vector3d(abs(sin(t)), abs(sin(t / 2)), 0.5)
+        }
+
+        fun verdict(sent: String) =
+            Worn().verdict(
+                events = listOf(CapturedEvent(EventKind.UNIFORM_ABSENT, 0, sent)),
+                uniforms = setOf("emissionColor", "shininess"),
+            )
+        val told = verdict("emissionFarbe")
+        told.assertMistake(Mistake.UNIFORM_ABSENT, Check.MOTORCYCLE_COLOR)
+        assertEquals("emissionFarbe (is emissionColor meant?)", told.mistakes.single().where)
+        verdict("material_shininess").assertMistake(Mistake.COLOR_CONSTANT)
     }
 
     @Test

@@ -23,15 +23,16 @@ class FreedomsTest {
     }
 
     @Test
-    fun `a light that hovers over the motorcycle`() {
-        val rig = object : Rig() {
+    fun `a light that hovers over the motorcycle, and further lights that rise and sink`() {
+        fun rig(hovers: Rig.(String) -> Boolean) = object : Rig() {
             override fun lights(moment: Moment, t: Double, view: Matrix4d): List<ObservedLight> =
                 super.lights(moment, t, view).map {
-                    val lift = view.transformDirection(Vector3d(0.0, if (it.name == own.name) 0.4 * sin(2 * t) else 0.0, 0.0))
+                    val lift = view.transformDirection(Vector3d(0.0, if (hovers(it.name)) 0.4 * sin(2 * t) else 0.0, 0.0))
                     ObservedLight(it.name, Vector3d(it.position).add(lift), it.color, it.k, it.spot)
                 }
         }
-        rig.verdict().assertRight()
+        rig { it == own.name }.verdict().assertRight()
+        rig { name -> corners.any { it.name == name } }.verdict().assertRight()
     }
 
     private class RandomRig(private val random: Random) : Rig(random.vector(1.0, 0.3..3.0)) {

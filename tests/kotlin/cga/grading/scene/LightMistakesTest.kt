@@ -300,6 +300,28 @@ class LightMistakesTest {
     }
 
     @Test
+    fun `positions that went through the view matrix of the first picture`() {
+        var first: Matrix4d? = null
+        val verdict = moved { rig, lamp, view -> (first ?: Matrix4d(view).also { first = it }).transformPosition(rig.world(lamp)) }
+        verdict.assertMistake(Mistake.TO_LIGHT_WORLD)
+        assertTrue("the first picture" in verdict[Check.POINT_LIGHT_POSITION]?.text.orEmpty(), verdict.text())
+    }
+
+    @Test
+    fun `positions that stand to the left of the view matrix`() {
+        moved { rig, lamp, view -> view.transpose(Matrix4d()).transformDirection(rig.world(lamp)) }.assertMistake(Mistake.TO_LIGHT_WORLD)
+    }
+
+    @Test
+    fun `further lights that only move when the mouse turns the camera`() {
+        val rig = object : Rig() {
+            override fun position(lamp: Lamp, view: Matrix4d) =
+                super.position(lamp, view).run { if (lamp in corners) mul(1.0, 1.0, -1.0) else this }
+        }
+        rig.verdict().assertMistake(Mistake.UNKNOWN, Check.POINT_LIGHT_POSITION)
+    }
+
+    @Test
     fun `one light that is fixed to the camera, which may be its parent`() {
         val rig = object : Rig() {
             override fun position(lamp: Lamp, view: Matrix4d) = if (lamp === own) Vector3d(0.0, 1.0, -2.0) else super.position(lamp, view)
@@ -398,8 +420,8 @@ class LightMistakesTest {
     }
 
     @Test
-    fun `the spotlight sends its place and its colour under the point light's names, too`() {
-        val rig = object : Rig() {
+    fun `the spotlight sends its place, its colour and perhaps its K under the point light's names, too`() {
+        fun rig(k: Boolean) = object : Rig() {
             override fun lights(moment: Moment, t: Double, view: Matrix4d): List<ObservedLight> {
                 val all = super
                     .lights(
@@ -412,7 +434,7 @@ class LightMistakesTest {
                     if (it.name ==
                         own.name
                     ) {
-                        ObservedLight(it.name, spot.position, spot.color, it.k, null, it.placedBy)
+                        ObservedLight(it.name, spot.position, spot.color, if (k) spot.k else it.k, null, it.placedBy)
                     } else {
                         it
                     }
@@ -420,7 +442,8 @@ class LightMistakesTest {
             }
         }
         val events = listOf(CapturedEvent(EventKind.UNIFORM_OVERWRITTEN, 0, "bike_lamp.place"))
-        rig.verdict(events = events).assertMistake(Mistake.LIGHT_POSITION_OVERWRITTEN)
+        rig(k = false).verdict(events = events).assertMistake(Mistake.LIGHT_POSITION_OVERWRITTEN)
+        rig(k = true).verdict(events = events).assertMistake(Mistake.LIGHT_POSITION_OVERWRITTEN)
     }
 
     @Test

@@ -173,6 +173,9 @@ class OrderMistakesTest {
         val verdict = Rig().verdict(events = listOf(CapturedEvent(EventKind.UNIFORM_ABSENT, 0, "spotlnner")), program = program)
         assertEquals(listOf(Mistake.UNIFORM_ABSENT), verdict.mistakes.map { it.mistake }, verdict.text())
         assertTrue(Check.CONE in verdict.mistakes.single().explains.orEmpty(), verdict.text())
+        val half = ProgramFacts(unset = setOf("lamp.innerCutOff"))
+        val shorter = Rig().verdict(events = listOf(CapturedEvent(EventKind.UNIFORM_ABSENT, 0, "lamp.cutOff")), program = half)
+        assertEquals(listOf(Mistake.UNIFORM_ABSENT), shorter.mistakes.map { it.mistake }, shorter.text())
         val other = Rig().verdict(events = listOf(CapturedEvent(EventKind.UNIFORM_ABSENT, 0, "spotSize")), program = program)
         assertEquals(emptyList<Mistake>(), other.mistakes.map { it.mistake }, other.text())
     }

@@ -366,6 +366,29 @@ class MistakesTest {
             fragment(Mistake.HALF_VECTOR_NOT_NORMALIZED, "half vector not normalised", "normalize(l + v)" to "l + v"),
             fragment(Mistake.HALF_VECTOR_NOT_NORMALIZED, "half vector as the mean", "normalize(l + v)" to "(l + v) / 2.0"),
             fragment(Mistake.GAMMA_DIRECTION, "gamma in the wrong direction", "vec4(result" to "vec4(pow(result, vec3(2.2))"),
+            Case(
+                "normals in world space by a matrix of their own, beside the product of model and view",
+                setOf(Mistake.NORMAL_MATRIX),
+                vertex = CourseShaders.VERTEX
+                    .edited("mat4 modelView = view_matrix * model_matrix;", "")
+                    .edited(
+                        "uniform mat4 model_matrix;",
+                        "uniform mat4 modelView;",
+                    ).edited("uniform mat4 view_matrix;", "uniform mat4 normals;")
+                    .edited(
+                        "inverse(transpose(modelView))",
+                        "normals",
+                    ).replace(Regex("""\(view_matrix \* vec4\((\w+), 1.0\)\).xyz"""), "$1"),
+                sent = { model, it ->
+                    it + mapOf(
+                        "modelView" to scene.view.mul(model, org.joml.Matrix4d()),
+                        "normals" to model.invert(org.joml.Matrix4d()).transpose(),
+                        "pointLightPos" to scene.viewed(scene.pointPosition),
+                        "cornerLightPos" to scene.viewed(scene.cornerPosition),
+                        "spotLightPos" to scene.viewed(scene.spotPosition),
+                    )
+                },
+            ),
             Case("view space scaled", setOf(Mistake.VIEW_SCALED), sent = { _, it ->
                 it +
                     ("view_matrix" to org.joml.Matrix4d().scale(1.25).mul(scene.view))

@@ -43,6 +43,20 @@ class VariantsTest {
                 ->
                 u.mapKeys { shuffledName(it.key) }
             }),
+            // The motorcycle's tint has the 0.5 of the headlight's K_c, in a uniform whose name is more like that of its colour.
+            Variant(
+                "a colour that has one of the numbers of K",
+                fragment = CourseShaders.FRAGMENT.edited(
+                    "sceneColour",
+                    "spotLightColoured",
+                ),
+                sent = {
+                    _,
+                    u,
+                    ->
+                    u.mapKeys { if (it.key == "sceneColour") "spotLightColoured" else it.key }
+                },
+            ),
             Variant(
                 "lights sent in view space",
                 CourseShaders.VERTEX.all(

@@ -3,9 +3,9 @@ package cga.grading.report
 import cga.grading.findings.Findings
 import cga.grading.findings.Found
 import cga.grading.findings.Mistake
+import cga.grading.rubric.CheckGrade
 import cga.grading.rubric.CheckState
 import cga.grading.rubric.Grade
-import cga.grading.rubric.Rubric
 import kotlinx.html.FlowContent
 import kotlinx.html.details
 import kotlinx.html.div
@@ -18,7 +18,7 @@ import kotlinx.html.summary
 import kotlinx.html.ul
 
 /** A card for each mistake: what it is, what it costs, a hint, and the pictures that prove it. */
-internal fun FlowContent.mistakes(findings: Findings, grade: Grade, rubric: Rubric, pictures: EvidencePictures, messages: Messages) {
+internal fun FlowContent.mistakes(findings: Findings, grade: Grade, pictures: EvidencePictures, messages: Messages) {
     val mistakes = findings.mistakes.distinctBy { it.mistake to it.where }
     if (mistakes.isEmpty()) {
         if (grade.checks.all { it.state == CheckState.RIGHT }) p("faultless pass") { +("✓ " + messages.text("page.faultless")) }
@@ -27,15 +27,12 @@ internal fun FlowContent.mistakes(findings: Findings, grade: Grade, rubric: Rubr
     h2("heading") { +messages.text("page.mistakes") }
     val told = mutableSetOf<Any>()
     for (found in mistakes) {
-        val lost = if (found.mistake != Mistake.UNKNOWN && told.add(found.mistake.check)) lost(found, grade, rubric) else 0.0
+        val home = grade.checks.find { it.state == CheckState.MISTAKE && it.cause == found.mistake }?.takeIf { told.add(it) }
         val proofs = if (told.add("proofs of ${found.mistake.check}")) pictures.proofs(found.mistake.check) else emptyList()
         val seen = if (found.mistake == Mistake.UNKNOWN) deviations(grade, messages) else emptyList()
-        card(found, lost, seen, proofs, messages)
+        card(found, home, seen, proofs, messages)
     }
 }
-
-private fun lost(found: Found, grade: Grade, rubric: Rubric): Double =
-    grade.checks.first { it.check == found.mistake.check }.let { it.maximum - (it.points ?: it.maximum) }.coerceAtMost(rubric.total)
 
 /** What was measured of the checks that cost something and that no mistake with a name explains, a sentence each. */
 internal fun deviations(grade: Grade, messages: Messages): List<String> {
@@ -45,15 +42,17 @@ internal fun deviations(grade: Grade, messages: Messages): List<String> {
     return told.map { (check, text) -> "${messages.of(check).title}: $text" }
 }
 
-private fun FlowContent.card(found: Found, lost: Double, seen: List<String>, proofs: List<EvidenceView>, messages: Messages) {
+/** @param home the check that it costs, and that no card before has told of. */
+private fun FlowContent.card(found: Found, home: CheckGrade?, seen: List<String>, proofs: List<EvidenceView>, messages: Messages) {
     val words = messages.of(found.mistake)
+    val lost = home?.run { maximum - (points ?: maximum) } ?: 0.0
     section(if (lost > 0 || found.mistake == Mistake.UNKNOWN) "case fail" else "case warn") {
         details {
             open = true
             summary {
                 h2 { +words.title }
                 // What has no name costs where it is measured.
-                if (found.mistake != Mistake.UNKNOWN) span("cost") { +cost(found, lost, messages) }
+                if (found.mistake != Mistake.UNKNOWN) span("cost") { +cost(home, lost, messages) }
             }
             p { +words.text }
             if (seen.isNotEmpty()) ul { seen.forEach { li { +it } } }
@@ -87,8 +86,8 @@ private fun FlowContent.proof(view: EvidenceView, messages: Messages) {
     div(if (view.expected == null) "alone" else "pairing") { pair(view, messages) }
 }
 
-private fun cost(found: Found, lost: Double, messages: Messages): String =
-    if (lost > 0) "−${messages.number(lost)} · ${messages.of(found.mistake.check).title}" else messages.text("page.costs-nothing")
+private fun cost(home: CheckGrade?, lost: Double, messages: Messages): String =
+    if (home != null && lost > 0) "−${messages.number(lost)} · ${messages.of(home.check).title}" else messages.text("page.costs-nothing")
 
 private const val MOST_PROOFS = 3
 private const val MOST_DEVIATIONS = 5

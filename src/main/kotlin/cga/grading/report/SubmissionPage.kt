@@ -35,7 +35,7 @@ public object SubmissionPage {
     private fun FlowContent.measured(submission: GradedSubmission, findings: Findings, messages: Messages) {
         val grade = submission.grade ?: return
         val pictures = EvidencePictures(submission.folder, findings, messages)
-        mistakes(findings, grade, submission.rubric, pictures, messages)
+        mistakes(findings, grade, pictures, messages)
         mainPicture(pictures, messages)
         pointsTable(grade, messages)
         curves(findings.plots, messages)

@@ -13,6 +13,7 @@ import cga.grading.findings.Check.HALF_VECTOR
 import cga.grading.findings.Check.INTERPOLATION
 import cga.grading.findings.Check.LIGHT_COLOR
 import cga.grading.findings.Check.MATERIAL
+import cga.grading.findings.Check.MORE_LIGHTS
 import cga.grading.findings.Check.MORE_LIGHTS_SHADING
 import cga.grading.findings.Check.MOTORCYCLE_COLOR
 import cga.grading.findings.Check.NORMALS
@@ -28,6 +29,7 @@ import cga.grading.findings.Check.SPECULAR
 import cga.grading.findings.Check.SPOT_DIRECTION
 import cga.grading.findings.Check.SPOT_LIGHT
 import cga.grading.findings.Check.SPOT_LIGHT_CHILD
+import cga.grading.findings.Found
 import cga.grading.findings.Mistake
 
 private val ATTENUATION = setOf(ATTENUATION_FORM, ATTENUATION_POINT, ATTENUATION_SPOT)
@@ -40,6 +42,13 @@ private val HIGHLIGHT = setOf(SPECULAR, CONE_SPECULAR, MORE_LIGHTS_SHADING, HALF
 private val PLACE = SURFACE + ATTENUATION + setOf(POINT_LIGHT, POINT_LIGHT_CHILD, POINT_LIGHT_POSITION)
 private val SPOT = setOf(SPOT_LIGHT, SPOT_LIGHT_CHILD, SPOT_DIRECTION, CONE, CONE_SPECULAR)
 private val ORBITING = setOf(ORBIT_PIVOT, ORBIT_HORIZON, ORBIT_FACTOR, ORBIT_START)
+
+// What uniforms are sent for, beginning with what is there or is not.
+private val SENT =
+    listOf(
+        POINT_LIGHT, SPOT_LIGHT, MORE_LIGHTS, POINT_LIGHT_POSITION, POINT_LIGHT_CHILD, SPOT_LIGHT_CHILD, SPOT_DIRECTION, CONE,
+        ATTENUATION_POINT, ATTENUATION_SPOT, MOTORCYCLE_COLOR,
+    )
 
 /** The checks that measure something else than they should while [mistake] is in the picture, besides the one that it costs. */
 internal fun disturbedBy(mistake: Mistake): Set<Check> =
@@ -87,9 +96,14 @@ internal fun disturbedBy(mistake: Mistake): Set<Check> =
         Mistake.GLSL_DRIVER, Mistake.SHADER_REFUSED, Mistake.KOTLIN_REFUSED, Mistake.UNKNOWN -> emptySet()
     }
 
-/** The checks that [mistake] may belong to, by which of the lights has it; that of its nature first. */
-internal fun homesOf(mistake: Mistake): List<Check> =
-    if (mistake == Mistake.ATTENUATION_OTHER_K) listOf(ATTENUATION_POINT, ATTENUATION_SPOT) else listOf(mistake.check)
+/** The checks that [found] may belong to, by what it has to do with; that of its nature first. */
+internal fun homesOf(found: Found): List<Check> =
+    when (found.mistake) {
+        Mistake.ATTENUATION_OTHER_K -> listOf(ATTENUATION_POINT, ATTENUATION_SPOT)
+        // What the name was of.
+        Mistake.UNIFORM_ABSENT -> SENT.filter { it in (found.explains ?: SENT) }.ifEmpty { listOf(found.mistake.check) }
+        else -> listOf(found.mistake.check)
+    }
 
 /** The checks that measure something else than they should where [check] is wrong in a way that has no name. */
 internal fun spoiltBy(check: Check): Set<Check> =

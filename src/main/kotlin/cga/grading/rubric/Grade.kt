@@ -44,7 +44,7 @@ public class Grade private constructor(
         /** The check that [found] costs; null for one that has no name. */
         private fun home(found: Found, measured: Map<Check, Measured>, rubric: Rubric): Check? {
             if (found.mistake == Mistake.UNKNOWN) return null
-            val homes = homesOf(found.mistake)
+            val homes = homesOf(found)
             return homes.find { check -> (measured[check]?.error ?: 0.0) > rubric.rule(check).tolerance } ?: homes.first()
         }
 

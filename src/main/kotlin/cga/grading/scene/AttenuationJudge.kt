@@ -8,6 +8,7 @@ import kotlin.math.abs
 
 /** Do the motorcycle's two lights fade as the sheet's table says? What form the attenuation has is for the study of the shader. */
 internal class AttenuationJudge(
+    private val timeline: Timeline,
     private val roles: LightRoles,
     private val profile: SceneProfile,
     private val book: Notebook,
@@ -44,6 +45,10 @@ internal class AttenuationJudge(
         val k = light.last.k
         val error = if (expected == null) (if (isConstant(k)) 1.0 else 0.0) else difference(k, expected)
         val wanted = if (expected == null) "any that fades" else expected.text()
+        if (error > NAMED && isWorn(light)) {
+            book.measured(check, 0.0, "${light.name} has the K of the headlight, and its place as well: that costs at the place.")
+            return null
+        }
         book.measured(check, error, "${light.name}: K = ${k.text()}; wanted $wanted.")
         if (!k.isFinite || k.maxAbs() < NOTHING) {
             book.lacks("the attenuation of ${light.name}", setOf(check, Check.ATTENUATION_FORM), setOf(Mistake.ATTENUATION_OTHER_K))
@@ -55,6 +60,11 @@ internal class AttenuationJudge(
         k: Vector3dc,
         expected: Vector3dc?,
     ) = k.isFinite && k.maxAbs() >= NOTHING && (if (expected == null) !isConstant(k) else difference(k, expected) <= NAMED)
+
+    /** Whether the motorcycle's light is overwritten by the headlight with all that is sent for it: that costs at the place. */
+    private fun isWorn(light: LightTrack?) =
+        light != null && light === roles.own && book.has(Mistake.LIGHT_POSITION_OVERWRITTEN) &&
+            roles.spot?.let { it !== light && it.last.k.distance(light.last.k) < NOTHING && timeline.isOneColor(it, light) } == true
 
     private fun name(
         point: Other?,

@@ -38,7 +38,7 @@ internal class ColorJudge(
             nothing()
         } else {
             ground(ground, isStill = motorcycle.isNotEmpty() && spread(motorcycle) <= CHANGE)
-            motorcycle(motorcycle)
+            motorcycle(motorcycle, ground)
         }
         light(motorcycle)
         if (ground.isEmpty() && motorcycle.isEmpty() && timeline.laterShots.isNotEmpty()) {
@@ -90,23 +90,32 @@ internal class ColorJudge(
         }
     }
 
-    private fun motorcycle(tints: List<Tint>) {
+    private fun motorcycle(tints: List<Tint>, ground: List<Tint>) {
         if (tints.isEmpty()) return book.absent(Check.MOTORCYCLE_COLOR, "No colour is multiplied with the motorcycle's emission.")
         val standing = tints.filter { it.moment in STANDING }
         if (standing.size < 2) return book.measured(Check.MOTORCYCLE_COLOR, null, "There are too few frames.")
         val byStep = spread(tints) > CHANGE && isOfStep(tints)
-        if (spread(tints) > CHANGE && !byStep) {
+        // A colour that update() only sets once the motorcycle drives.
+        val isStill = spread(standing) < SAME
+        if (spread(tints) > CHANGE && !byStep && !isStill) {
             return book.measured(Check.MOTORCYCLE_COLOR, 0.0, "The motorcycle's colour changes with time: ${list(standing)}.")
         }
-        val what = if (byStep) "only depends on the time since the last picture" else "is always ${tints.last().color.text()}"
-        book.measured(Check.MOTORCYCLE_COLOR, 1.0, "The motorcycle's colour $what; wanted: one that changes with time.")
+        val text = when {
+            byStep -> "The motorcycle's colour only depends on the time since the last picture; wanted: one that changes with time."
+            spread(tints) > CHANGE -> "The motorcycle's colour only changes while it is driven; wanted: one that changes with time."
+            else -> "The motorcycle's colour is always ${tints.last().color.text()}; wanted: one that changes with time."
+        }
+        book.measured(Check.MOTORCYCLE_COLOR, 1.0, text)
         if (isWritten()) {
             // No colour that the program gives can come through.
             book.found(Mistake.EMISSION_COLOR_IGNORED, 0.0, 1.0, "motorcycle", explains = setOf(Check.MOTORCYCLE_COLOR))
         } else {
             book.found(Mistake.COLOR_CONSTANT, 0.0, 1.0, "motorcycle")
             val isBlack = tints.all { it.color.maxAbs() < DARK }
-            if (isBlack) book.lacks(COLOR, setOf(Check.MOTORCYCLE_COLOR), setOf(Mistake.COLOR_CONSTANT))
+            val isWorn = ground.isNotEmpty() && (tints + ground).all { it.color.distance(tints[0].color) < DARK }
+            if (isBlack || isWorn) {
+                book.lacks(if (isBlack) COLOR else OWN_COLOR, setOf(Check.MOTORCYCLE_COLOR), setOf(Mistake.COLOR_CONSTANT))
+            }
         }
     }
 
@@ -197,6 +206,9 @@ internal class ColorJudge(
     companion object {
         /** What is lacking where the colour of the emission never arrives. */
         const val COLOR = "the colour of the emission"
+
+        /** What is lacking where the motorcycle is drawn in the colour that was sent for the ground. */
+        const val OWN_COLOR = "the motorcycle's own colour"
 
         private val WHITE: Vector3dc = Vector3d(1.0)
         private val STANDING = setOf(Moment.SECOND, Moment.TIME_1, Moment.TIME_2, Moment.TIME_3, Moment.TIME_4)

@@ -92,10 +92,14 @@ internal class EventJudge(
     private fun misspelt() {
         val waiting = program.unset.orEmpty().filter { CONE_WORDS.containsMatchIn(it) }
         val asked = texts(EventKind.UNIFORM_ABSENT).filterNot(::isDeclared)
-        val lost = waiting.filter { name -> asked.any { editDistance(it, name) <= TYPO } }.ifEmpty { return }
+        val lost = waiting.filter { name -> asked.any { editDistance(it, name) <= TYPO || isMostly(it, name) } }.ifEmpty { return }
         book.spoilt(Check.CONE, 1.0, "${lost.joinToString()} never arrives: it is sent under another name.")
         book.lacks(lost.joinToString(), setOf(Check.CONE, Check.SPOT_DIRECTION, Check.SPOT_LIGHT, Check.CONE_SPECULAR), CONES)
     }
+
+    /** Whether two names of numbers of a cone begin and end alike in more than half of their letters: `lamp.cutOff`, `lamp.innerCutOff`. */
+    private fun isMostly(a: String, b: String) =
+        CONE_WORDS.containsMatchIn(a) && 2 * (a.commonPrefixWith(b).length + a.commonSuffixWith(b, true).length) > maxOf(a.length, b.length)
 
     /** Numbers that are sent to an element which an array does not have, while one that it has waits: a light is lost of however many. */
     private fun besideArray() {
@@ -111,8 +115,10 @@ internal class EventJudge(
         book.unlit += asked.filter(::isDeclared)
         when {
             asked.isEmpty() || book.isReplaced -> return
+            book.missing == listOf(ColorJudge.OWN_COLOR) && asked.any(::isColor) && !book.has(Mistake.UNIFORM_BEFORE_USE) ->
+                book.explained(Mistake.UNIFORM_ABSENT, asked.filter(::isColor).take(MOST_NAMES).joinToString(transform = ::suggestion))
             // The name of a colour: that costs where the emission is lacking.
-            book.missing == listOf(ColorJudge.COLOR) ->
+            book.missing.singleOrNull() in COLORS ->
                 book.note("Set but in no program: ${asked.take(MOST_NAMES).joinToString(transform = ::suggestion)}.")
             book.missing.isEmpty() || names.isEmpty() || !isMissed(names) || book.has(Mistake.UNIFORM_BEFORE_USE) ->
                 book.note("Set but in no program: ${asked.take(MOST_NAMES).joinToString()}. The picture lacks nothing of them.")
@@ -122,6 +128,9 @@ internal class EventJudge(
             }
         }
     }
+
+    /** Whether [name] is that of a colour, and much like one that a shader has. */
+    private fun isColor(name: String) = COLOR_WORDS.containsMatchIn(name) && !isDeclared(name) && distance(name) <= name.length / 2
 
     /** Whether the compiler may have dropped the uniform because nothing depends on it: then its name is spelt right. */
     private fun isDeclared(name: String) = program.declares(name)
@@ -149,7 +158,8 @@ internal class EventJudge(
     /** Whether what [calls] set is 0 for ever. */
     private fun areLost(calls: List<String>): Boolean {
         // A colour that one program never gets may arrive at another under the same name.
-        if (ColorJudge.COLOR in book.missing && calls.any(COLOR_CALL::containsMatchIn)) return true
+        if (book.missing.any { it in COLORS } && calls.any(COLOR_CALL::containsMatchIn)) return true
+        if (book.missing == listOf(ColorJudge.OWN_COLOR)) return false
         val waiting = (program.unset ?: return true) + program.idle
         return calls.any { call -> ' ' !in call || waiting.any { it.removeSuffix("[0]") == call.substringAfter(' ').removeSuffix("[0]") } }
     }
@@ -191,7 +201,9 @@ internal class EventJudge(
         const val MOST_NAMES = 5
         const val LONGEST_NAME = 200
         const val TYPO = 2
-        val COLOR_CALL = Regex("^glUniform3f.*(colou?r|farbe|emi|tint|glow)", RegexOption.IGNORE_CASE)
+        val COLORS = setOf(ColorJudge.COLOR, ColorJudge.OWN_COLOR)
+        val COLOR_WORDS = Regex("colou?r|farbe|emi|tint|glow", RegexOption.IGNORE_CASE)
+        val COLOR_CALL = Regex("^glUniform3f.*(${COLOR_WORDS.pattern})", RegexOption.IGNORE_CASE)
         val LIGHT_WORDS =
             Regex("light|licht|lamp|point|punkt|spot|colou?r|farbe|pos|dir|att|cone|angle|winkel|corner", RegexOption.IGNORE_CASE)
     }

@@ -8,7 +8,7 @@ import org.joml.Vector3dc
 import kotlin.math.max
 
 /** What was done to positions before they were used as positions in view space; a submission does the same to all its lights as a rule. */
-internal enum class Space { VIEW, RAW, SCALED, TWICE, TURNED, INVERSE, MODEL_TWICE }
+internal enum class Space { VIEW, RAW, SCALED, TWICE, TURNED, INVERSE, MODEL_TWICE, TRANSPOSED, FIRST_VIEW }
 
 /**
  * A hypothesis about where a light is: that the numbers which act as its view-space position are [matrix] times something constant.
@@ -41,6 +41,16 @@ internal enum class Place(
     MODEL_TWICE(true, Space.MODEL_TWICE, "the motorcycle's matrix is applied twice", {
         it.viewed(Matrix4d(it.motorcycle).mul(it.motorcycle))
     }),
+    TRANSPOSED_CHILD(true, Space.TRANSPOSED, "it stands to the left of the view matrix, which is transposed by that", {
+        it.turnedBack(it.motorcycle)
+    }),
+    TRANSPOSED_STATIC(false, Space.TRANSPOSED, "it stands to the left of the view matrix, which is transposed by that", {
+        it.turnedBack(Matrix4d())
+    }),
+    FIRST_VIEW_CHILD(true, Space.FIRST_VIEW, "it goes through the view matrix of the first picture", {
+        Matrix4d(it.firstView).mul(it.motorcycle)
+    }),
+    FIRST_VIEW_STATIC(false, Space.FIRST_VIEW, "it goes through the view matrix of the first picture", { it.firstView }),
     ;
 
     /** Whether the numbers are a position in view space at all. */
@@ -56,6 +66,8 @@ internal enum class Place(
 private fun Shot.viewed(model: Matrix4dc) = Matrix4d(view).mul(model)
 
 private fun Shot.turned(model: Matrix4dc) = Matrix4d().set(viewTurn).mul(model)
+
+private fun Shot.turnedBack(model: Matrix4dc) = Matrix4d().set(viewTurn).transpose().mul(model)
 
 private fun Shot.stretched(model: Matrix4dc) = Matrix4d().scaling(1 / motorcycle.scale()).mul(viewed(model))
 

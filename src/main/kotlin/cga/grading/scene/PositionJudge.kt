@@ -53,7 +53,12 @@ internal class PositionJudge(
         } else if (place == Place.SCALED_CHILD || place == Place.SCALED_STATIC) {
             book.spoilt(Check.POINT_LIGHT_POSITION, placed.wrong, "${light.name}: ${place.text}; wanted: view · world position.")
             book.found(Mistake.VIEW_SCALED, placed.fit, placed.wrong, light.name)
-        } else if (place == null && (light in roles.further || movesByItself(light))) {
+        } else if (place == null && light in roles.further && !movesByItself(light) && movesWithCamera(light)) {
+            book.spoilt(Check.POINT_LIGHT_POSITION, placed.wrong, "${light.name} moves in the world when the camera turns.")
+            book.found(Mistake.UNKNOWN, 1.0, placed.wrong, light.name)
+        } else if ((place == null && light in roles.further) ||
+            ((place?.right ?: true) && placed.fit > Placed.HOLDS && movesByItself(light))
+        ) {
             // A light that flies about by itself is allowed.
             book.note("${light.name} neither stays nor moves with the motorcycle.")
         } else if (place == null) {
@@ -78,6 +83,13 @@ internal class PositionJudge(
         val inWorld = both.map { it.second }
         val onMotorcycle = both.map { (shot, place) -> Matrix4d(shot.motorcycleFrame).invert().transformPosition(place, Vector3d()) }
         return inWorld.size > 2 && listOf(inWorld, onMotorcycle).all { places -> places.maxOf { it.distance(places[0]) } > MOVED }
+    }
+
+    /** Whether [light] goes farther in the world while the mouse turns the camera, picture by picture, than it has in seconds before. */
+    private fun movesWithCamera(light: LightTrack): Boolean {
+        val turning = timeline.laterShots.filter { it.moment in Moment.MOUSE_FIRST..Moment.MOUSE_FAR }
+        val places = turning.mapNotNull { shot -> light.at(shot.moment)?.let(shot::world) }
+        return places.size > 2 && places.maxOf { it.distance(places[0]) } > MOVED * max(1.0, places[0].length())
     }
 
     private fun LightTrack.isRider() = this === roles.own || this === roles.spot

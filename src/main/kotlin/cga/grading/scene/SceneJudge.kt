@@ -104,7 +104,7 @@ public object SceneJudge {
         PositionJudge(timeline, roles, events, book).judge()
         DirectionJudge(timeline, roles, book).judge()
         cone(roles, book)
-        AttenuationJudge(roles, profile, book).judge()
+        AttenuationJudge(timeline, roles, profile, book).judge()
         ColorJudge(timeline, roles, events.any { it.kind == EventKind.UNIFORM_ABSENT }, book).judge()
         OrbitJudge(timeline, profile, book).judge()
         ParentOrder(timeline, roles, book).judge()

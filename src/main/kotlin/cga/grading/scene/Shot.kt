@@ -10,10 +10,12 @@ import org.joml.Vector3d
  * A frame that can be reckoned with: its view can be inverted and the motorcycle is in it.
  *
  * @param motorcycle its model matrix.
+ * @param firstView the view matrix of the first picture of all.
  */
 internal class Shot(
     val frame: ObservedFrame,
     val motorcycle: Matrix4dc,
+    val firstView: Matrix4dc,
 ) {
     val moment: Moment get() = frame.moment
     val view: Matrix4dc get() = frame.view
@@ -49,7 +51,7 @@ internal class Timeline(
     val shots: List<Shot> =
         frames.mapNotNull { frame ->
             val model = cast.motorcycle?.of(frame)?.model
-            if (model == null || !model.isUsable() || !frame.view.isUsable()) null else Shot(frame, model)
+            if (model == null || !model.isUsable() || !frame.view.isUsable()) null else Shot(frame, model, frames[0].view)
         }
     private val shotByMoment = shots.associateBy { it.moment }
 

@@ -32,6 +32,11 @@ internal class ColorSlots(
     fun withFlats(more: List<ActiveUniform>): ColorSlots =
         ColorSlots(lights, (flats + more).distinct(), factors, silent - more.toSet(), isSumClamped, suns)
 
+    /** Those vectors of [box] that none of these are, and that brighten the [samples] all the same: colours, but in no proportion. */
+    fun bent(box: BlackBox, samples: List<Sample>): List<ActiveUniform> =
+        (box.program.uniforms.filter { !it.isSampler && it.components in 3..4 } - (lights + flats + factors + silent).toSet())
+            .filter { brightens(box, samples, it) }
+
     companion object {
         /** Textures are this dark while looking, so that a colour clamped at 1 by the shader stays below. */
         const val DARK = 1.0 / 64

@@ -35,6 +35,7 @@ internal object ConeDeviations {
         val length = if (words == null) AxisLength.of(cone, numbers, lengths) else null
         return when {
             light.hasLongCone -> listOf(unknown(light, cone, 1.0, LONG_TEXT))
+            light.hasStrayCone -> listOf(unknown(light, cone, 1.0, STRAY_TEXT))
             isTwofold(cone) -> listOf(unknown(light, cone, 1.0, TWOFOLD_TEXT))
             cone.falloff == Falloff.HARD -> found(Mistake.CONE_HARD_EDGE)
             cone.falloff == Falloff.COSINE_TWICE -> found(Mistake.COSINE_OF_COSINE)
@@ -127,6 +128,7 @@ internal object ConeDeviations {
     private const val FULL = 0.5
     private const val TWOFOLD_TEXT = "it shines in two cones, one to the front and one to the back"
     private const val LONG_TEXT = "its cosine is taken with a long vector to the light, so it is the wider the farther it reaches"
+    private const val STRAY_TEXT = "its cosine is taken with the vector to another light or to the camera"
     private const val LEFT_TEXT = "outside of the cone it is not dark"
 
     /** Radians: wider than any headlight. */

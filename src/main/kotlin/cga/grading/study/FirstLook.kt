@@ -28,12 +28,16 @@ internal class FirstLook private constructor(
             val many = search.samples(LightSearch.MANY_DIRECTIONS)
             val plain = FirstLook(box, ColorSlots.of(box, few, many), LightSearch(box, surface))
             val isDead = isDead(box, few)
-            if (plain.colors.lights.isNotEmpty() && !isDead) return wider(plain, surface)
+            val isPlain = plain.colors.lights.isNotEmpty() && !isDead
+            // Beside something bright a little light is as good as not encoded.
+            if (isPlain && plain.colors.bent(box, few).isEmpty()) return wider(plain, surface)
             for (exponent in EXPONENTS) {
                 val decoded = box.decodedBy(exponent)
                 val colors = ColorSlots.of(decoded, few, many)
-                if (colors.lights.isNotEmpty()) return FirstLook(decoded, colors, LightSearch(decoded, surface))
+                val least = if (isPlain) plain.colors.lights.size else 0
+                if (colors.lights.size > least) return FirstLook(decoded, colors, LightSearch(decoded, surface))
             }
+            if (isPlain) return wider(plain, surface)
             if (!isDead) besideGamma(box, surface, few, many)?.let { return it }
             val clamped = ColorSlots.of(box, few, many, isSumClamped = true)
             if (clamped.lights.isNotEmpty() && !isDead) return FirstLook(box, clamped, search)

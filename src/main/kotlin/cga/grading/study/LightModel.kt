@@ -13,6 +13,7 @@ import org.joml.Vector3dc
  * @param shared the lights that take this one's colour, if there is more than one.
  * @param isFromEye whether the diffuse cosine is that with the direction to the eye.
  * @param hasLongCone whether its cone is the wider the farther it reaches.
+ * @param hasStrayCone whether its cone is about another place than its own.
  * @param guess where it may be in view space, if it could not be placed.
  * @param floor how much of the light arrives whatever the normal, relative to its strength: ambient light of its own.
  */
@@ -33,6 +34,7 @@ internal class LightModel(
     val guess: Vector3dc? = null,
     val isFromEye: Boolean = false,
     val hasLongCone: Boolean = false,
+    val hasStrayCone: Boolean = false,
 ) {
     val name: String get() = probe.slot.text
 

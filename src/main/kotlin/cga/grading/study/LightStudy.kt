@@ -109,10 +109,11 @@ internal class LightStudy(
         val isUneven = seen != null && seen.residual > UNEVEN && elsewhere == null && beam == null
         val stray = if (isUneven) StrayDistance.of(amplitudes, seen, lit, axes, search.hints) else null
         val long = if (isOdd && seen != null && elsewhere == null && beam == null) LongCone.law(amplitudes, seen) else null
-        val attenuation = beam?.attenuation ?: elsewhere ?: stray?.attenuation ?: long ?: straight
+        val other = if (isUneven && stray == null && long == null) StrayCone.of(amplitudes, lit, axes, search.hints) else null
+        val attenuation = beam?.attenuation ?: elsewhere ?: stray?.attenuation ?: other?.attenuation ?: long ?: straight
         // Around a place that distances are not measured from, a light without a cone is uneven, too.
-        val cone = if (elsewhere == null) beam?.cone ?: stray?.cone ?: seen else null
-        val inside = inside(beam?.amplitudes?.placement ?: placement, cone)
+        val cone = if (elsewhere == null) beam?.cone ?: stray?.cone ?: other?.cone ?: seen else null
+        val inside = inside(beam?.amplitudes?.placement ?: other?.let { placement.movedTo(it.from) } ?: placement, cone)
         return LightModel(
             probe = probe,
             placement = placement,
@@ -126,6 +127,7 @@ internal class LightStudy(
             diffuseInterpolation = if (roles.diffuse != null) InterpolationTest.of(probe, placement, inside, roles.onlyDiffuse) else null,
             otherDirection = elsewhere != null || beam != null || diffuse != null,
             hasLongCone = long != null,
+            hasStrayCone = other != null,
             isFromEye = (diffuse ?: placement).view.length() < APART,
             specularInterpolation = if (roles.specular !=
                 null

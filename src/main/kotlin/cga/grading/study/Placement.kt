@@ -27,6 +27,9 @@ internal enum class NormalPath(val space: Space?) {
     /** By the model matrix's inverse in the place of its inverse transpose, in view space and in the world. */
     MODEL_INVERSE(null),
     MODEL_INVERSE_WORLD(null),
+
+    /** By whatever matrix is sent for them. */
+    SENT(null),
 }
 
 /**
@@ -164,6 +167,7 @@ internal fun Spaces.normals(path: NormalPath): Matrix3d? =
         NormalPath.MODEL_AFTER_VIEW -> view?.let { view -> model?.rotationPart()?.mul(view.rotationPart()) }
         NormalPath.MODEL_INVERSE -> view?.let { view -> model?.rotationPart()?.transpose()?.let { view.rotationPart().mul(it) } }
         NormalPath.MODEL_INVERSE_WORLD -> model?.rotationPart()?.transpose()
+        NormalPath.SENT -> sentNormals?.let(::Matrix3d)
     }
 
 internal val Spaces.rotation: Matrix3dc get() = modelView.rotationPart()
@@ -171,4 +175,4 @@ internal val Spaces.rotation: Matrix3dc get() = modelView.rotationPart()
 /** How much lengths grow by this matrix. */
 internal fun Matrix4dc.scale(): Double = cbrt(abs(determinant3x3()))
 
-private fun Matrix4dc.rotationPart(): Matrix3d = Matrix3d(this).scale(1 / scale())
+internal fun Matrix4dc.rotationPart(): Matrix3d = Matrix3d(this).scale(1 / scale())

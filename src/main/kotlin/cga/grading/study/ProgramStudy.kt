@@ -101,7 +101,7 @@ internal class ProgramStudy(
             val (sight, normalsMoved) = Sight.of(clear, surface, suns)
             val (look, colors) = sight.look to sight.colors
             val decoded = look.box
-            if (colors.lights.isEmpty() && box.program.uniforms.any { isUnseparated(it, box, colors, surface) }) {
+            if (colors.lights.isEmpty() && colors.bent(box, LightSearch(box, surface).samples(LightSearch.FEW_DIRECTIONS)).isNotEmpty()) {
                 throw InputError("the lights cannot be told apart: what each adds depends on the others")
             }
             val search = look.search
@@ -120,19 +120,6 @@ internal class ProgramStudy(
                 AttributeOverlap.isThere(capture, number), roles?.let { LentColor.among(lights, it, samples) }.orEmpty(), surface,
                 Representative.other(capture, number, formula, decoded),
             )
-        }
-
-        /** Whether [slot] is a colour that is none of [colors], as the picture is no sum with it. */
-        private fun isUnseparated(
-            slot: ActiveUniform,
-            box: BlackBox,
-            colors: ColorSlots,
-            surface: List<Vector3d>,
-        ): Boolean {
-            val isVector = !slot.isSampler && slot.components in 3..4 && slot.type != GL_FLOAT_MAT4
-            if (!isVector || slot in colors.flats + colors.factors + colors.silent) return false
-            val samples = LightSearch(box, surface).samples(LightSearch.FEW_DIRECTIONS)
-            return ColorSlots.brightens(box, samples, slot)
         }
 
         /** The black box of [draw]. */

@@ -101,9 +101,23 @@ internal class RefFinder(
             scales.firstOrNull { scale -> TABLE.any { row -> (0..2).all { isNear(row[it], scale * k[it]) } } }
                 ?: scales.firstOrNull { scale -> areSent(scale) && (scale == 1.0 || !(k.y() == 0.0 && k.z() == 0.0)) }
                 ?: 1.0
-        // One number that happens to be that of a colour would change with it.
-        val find: (Double) -> NumberRef = if (areSent(explained)) ::number else { part -> NumberRef(null, 0, part) }
-        return List(3) { find(explained * k[it]) } to explained
+        return (
+            together(k, explained)
+                ?: List(3) { if (areSent(explained)) number(explained * k[it]) else NumberRef(null, 0, explained * k[it]) }
+        ) to
+            explained
+    }
+
+    /**
+     * All three numbers of [k] times [scale] in one uniform; null where none holds them. One number alone may happen to be that of a colour,
+     * and would change with it.
+     */
+    private fun together(k: Vector3dc, scale: Double): List<NumberRef>? {
+        val holder = slots.filter { it.components >= 3 }.find { slot ->
+            val numbers = values.getValue(slot.name)
+            (0..2).all { isNear(numbers[it].toDouble(), scale * k[it]) }
+        }
+        return holder?.let { List(3) { i -> NumberRef(it.name, i, scale * k[i]) } }
     }
 
     /** The K among what was sent, or in Table 1, that adds up to [total]: 1/F at the distance 1. */

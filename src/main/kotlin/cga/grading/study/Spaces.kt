@@ -1,5 +1,7 @@
 package cga.grading.study
 
+import org.joml.Matrix3d
+import org.joml.Matrix3dc
 import org.joml.Matrix4d
 import org.joml.Matrix4dc
 import kotlin.math.abs
@@ -8,16 +10,41 @@ import kotlin.math.abs
  * The spaces of one draw.
  *
  * @param view null where the shader never sees world space.
+ * @param sentNormals the turn of the matrix that is sent for the normals alone, null where none is.
  */
 internal class Spaces(
     val projection: Matrix4dc,
     val view: Matrix4dc?,
     val model: Matrix4dc?,
     val modelView: Matrix4dc,
+    val sentNormals: Matrix3dc? = null,
 ) {
     companion object {
-        /** Splits what [formula] multiplies for the uniforms [values] of one draw; null where no projection can be made out. */
+        /** The spaces for the uniforms [values] of one draw, which [formula] multiplies; null where no projection can be made out. */
         fun of(
+            formula: GeometryFormula,
+            matrices: List<String>,
+            values: Map<String, FloatArray>,
+        ): Spaces? = multiplied(formula, matrices, values)?.run { Spaces(projection, view, model, modelView, sentNormals(formula, values)) }
+
+        private fun sentNormals(formula: GeometryFormula, values: Map<String, FloatArray>): Matrix3d? {
+            val others = values.filter { (name, numbers) -> name !in formula.product && numbers.size in NORMAL_SIZES }
+            return others
+                .toSortedMap(
+                    compareByDescending<String> { NORMAL_NAME.containsMatchIn(it) }.thenBy { it },
+                ).values
+                .firstNotNullOfOrNull(::turn)
+        }
+
+        /** What [numbers] of a matrix of 3 x 3 or 4 x 4 turn; null where they do more than to turn and to scale evenly. */
+        private fun turn(numbers: FloatArray): Matrix3d? {
+            val rows = if (numbers.size == 9) 3 else 4
+            val m = Matrix4d(Matrix3d().apply { for (i in 0..8) set(i / 3, i % 3, numbers[i / 3 * rows + i % 3].toDouble()) })
+            return if (m.isEven()) m.rotationPart() else null
+        }
+
+        /** Splits what [formula] multiplies. */
+        private fun multiplied(
             formula: GeometryFormula,
             matrices: List<String>,
             values: Map<String, FloatArray>,
@@ -81,6 +108,8 @@ internal class Spaces(
         fun rounded(model: Matrix4dc): List<Long> = List(16) { Math.round(model.get(it / 4, it % 4) * ROUND) }
 
         private const val ROUND = 1e4
+        private val NORMAL_SIZES = setOf(9, 16)
+        private val NORMAL_NAME = Regex("norm", RegexOption.IGNORE_CASE)
         private val VIEW_NAME = Regex("view|cam", RegexOption.IGNORE_CASE)
 
         private fun products(matrices: List<Matrix4d>) = matrices.flatMap { a -> matrices.map { a.mul(it, Matrix4d()) } }

@@ -107,6 +107,12 @@ class VerdictTest {
     }
 
     @Test
+    fun `numbers of a cone that are lost cost the cone, even where what is left of it is drawn as it should be`() {
+        val lost = scene(found(Mistake.UNIFORM_ABSENT, explains = setOf(Check.CONE)), errors = mapOf(Check.CONE to 1.0, Check.POINT_LIGHT to 0.0))
+        assertEquals(setOf(Check.CONE), Verdict.of(shading(), lost).costs())
+    }
+
+    @Test
     fun `what is wrong and has no name is said to be unknown, once, and not where it is a matter of exactness`() {
         val verdict = Verdict.of(shading(), scene(errors = mapOf(Check.SPOT_DIRECTION to 1.0, Check.MORE_LIGHTS to 0.5)))
         assertEquals(listOf(Mistake.UNKNOWN), verdict.names())

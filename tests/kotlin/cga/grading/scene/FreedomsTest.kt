@@ -258,6 +258,23 @@ class FreedomsTest {
     }
 
     @Test
+    fun `a headlight on the handlebar turns aside while a key steers`() {
+        val rig = object : Rig() {
+            private var steering = 0f
+
+            override fun update(dt: Double, t: Double, keys: Set<Key>) {
+                super.update(dt, t, keys)
+                steering = if (Key.LEFT in keys) 0.3f else if (Key.RIGHT in keys) -0.3f else 0f
+            }
+
+            override fun worldDirection(lamp: Lamp) = super.worldDirection(lamp).rotateY(steering.toDouble())
+        }
+        val verdict = rig.verdict()
+        verdict.assertRight()
+        assertTrue(verdict.notes.any { "while the motorcycle is steered" in it }, verdict.text())
+    }
+
+    @Test
     fun `a level headlight is only noted`() {
         val rig = object : Rig() {
             init {

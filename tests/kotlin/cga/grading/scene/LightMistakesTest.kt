@@ -447,6 +447,19 @@ class LightMistakesTest {
     }
 
     @Test
+    fun `a further light that is sent under all of the motorcycle's names leaves none of it`() {
+        fun rig() = object : Rig() {
+            override val lamps get() = listOf(head) + corners
+
+            override fun lights(moment: Moment, t: Double, view: Matrix4d) =
+                super.lights(moment, t, view).map { ObservedLight(it.name, it.position, it.color, it.k, it.spot, "${it.name}.place") }
+        }
+        val events = listOf(CapturedEvent(EventKind.UNIFORM_OVERWRITTEN, 0, "corner[0].place"))
+        rig().verdict(events = events).assertMistake(Mistake.LIGHT_POSITION_OVERWRITTEN, *allOfPoint)
+        rig().verdict().assertMistake(Mistake.LIGHT_MISSING, *allOfPoint)
+    }
+
+    @Test
     fun `lights that nobody moved are at one place without one position for all`() {
         fun rig(place: Vector3d) =
             object : Rig() {

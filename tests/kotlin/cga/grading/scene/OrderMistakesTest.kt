@@ -181,6 +181,15 @@ class OrderMistakesTest {
     }
 
     @Test
+    fun `an exponent that waits while one of much the same name is sent is misspelt`() {
+        val program = ProgramFacts(unset = setOf("surf.shine"))
+        val verdict = Rig().verdict(events = listOf(CapturedEvent(EventKind.UNIFORM_ABSENT, 0, "surf.shininess")), program = program)
+        assertEquals(listOf(Mistake.UNIFORM_ABSENT), verdict.mistakes.map { it.mistake }, verdict.text())
+        assertEquals(setOf(Check.SPECULAR), verdict.mistakes.single().explains)
+        assertEquals(1.0, verdict[Check.SPECULAR]?.error, verdict.text())
+    }
+
+    @Test
     fun `a first frame that was drawn without a matrix cannot be understood, and tells the order`() {
         fun verdict(vararg events: CapturedEvent) =
             SceneJudge.judge(Rig().play().drop(1), events.toList(), program = ProgramFacts(drawn = setOf(Moment.FIRST)))

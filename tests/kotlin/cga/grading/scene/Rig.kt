@@ -131,7 +131,7 @@ internal open class Rig(offset: Vector3f = Vector3f(0f, 1.6f, 0f)) {
 
     fun world(lamp: Lamp): Vector3d = lamp.body.getWorldModelMatrix(Matrix4d()).getTranslation(Vector3d())
 
-    fun worldDirection(lamp: Lamp): Vector3d = Vector3d(lamp.body.getWorldZAxis()).negate()
+    open fun worldDirection(lamp: Lamp): Vector3d = Vector3d(lamp.body.getWorldZAxis()).negate()
 
     /** As a float uniform holds it. */
     private fun rounded(v: Vector3d) = Vector3d(Vector3f(v.x.toFloat(), v.y.toFloat(), v.z.toFloat()))

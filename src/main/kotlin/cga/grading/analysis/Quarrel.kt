@@ -32,13 +32,10 @@ internal class Quarrel(
             Mistake.CONE_NEVER_SENT ->
                 sceneVerdict[Check.CONE].isRight() && sceneVerdict[Check.SPOT_DIRECTION].isRight() && !isOfOthers(found)
             // Lights that come after a test for the cone end at its edge, too.
-            Mistake.CONE_HARD_EDGE -> (isOfOthers(found) && seen.any { it.mistake == Mistake.UNKNOWN }) || isConeLost()
-            in CONE -> sceneVerdict.mistakes.any(::breaksTie) || isConeLost()
+            Mistake.CONE_HARD_EDGE -> isOfOthers(found) && seen.any { it.mistake == Mistake.UNKNOWN }
+            in CONE -> sceneVerdict.mistakes.any(::breaksTie)
             else -> false
         }
-
-    /** Whether the cone's numbers never arrive, and it is told why: what is made of none says nothing. */
-    private fun isConeLost() = sceneVerdict.mistakes.any { it.mistake in LOSSES && Check.CONE in it.explains.orEmpty() }
 
     private fun isOfOthers(found: Found): Boolean {
         val spot = sceneVerdict.spot ?: return false
@@ -87,7 +84,6 @@ internal class Quarrel(
         const val RIGHT = 0.02
         val DIRECTION = setOf(Mistake.SPOT_DIRECTION_WORLD, Mistake.SPOT_DIRECTION_LOCAL, Mistake.SPOT_DIRECTION_SIGN)
         val CONE = VerdictTraces.CONES
-        val LOSSES = setOf(Mistake.UNIFORM_ABSENT, Mistake.UNIFORM_BEFORE_USE)
 
         /** These the study names by the curve. */
         val FORM = setOf(Mistake.ATTENUATION_MISSING, Mistake.ATTENUATION_LINEAR)

@@ -41,7 +41,12 @@ internal object VerdictTraces {
             Mistake.DIFFUSE_MISSING to
                 MISSING +
                 setOf(Mistake.SPECULAR_MISSING, Mistake.LIGHT_COLOR_DIFFERS, Mistake.SPOT_DIRECTION_LOCAL, Mistake.ATTENUATION_OTHER_K),
-            Mistake.LATER_LIGHTS_FIRST_COLOR to setOf(Mistake.MORE_LIGHTS_MISSING, Mistake.MORE_LIGHTS_ALIKE, Mistake.LIGHT_MISSING),
+            // Of lights of one colour only where they are is told apart well, and not what a cone leaves of one.
+            Mistake.LATER_LIGHTS_FIRST_COLOR to
+                setOf(
+                    Mistake.MORE_LIGHTS_MISSING, Mistake.MORE_LIGHTS_ALIKE, Mistake.LIGHT_MISSING, Mistake.SPOT_MISSING,
+                    Mistake.ATTENUATION_OTHER_K,
+                ),
             Mistake.LATER_LIGHTS_FIRST_COSINE to
                 setOf(
                     Mistake.NORMAL_MATRIX, Mistake.TO_LIGHT_WORLD, Mistake.LIGHT_POSITION_OVERWRITTEN, Mistake.SPOT_DIRECTION_LOCAL,
@@ -64,13 +69,17 @@ internal object VerdictTraces {
         found: Found,
         cause: Found,
     ): Boolean {
-        if (found.mistake in CONES && cause.mistake == Mistake.UNIFORM_ABSENT) return Check.CONE in cause.explains.orEmpty()
+        if (found.mistake in CONES && isLossOfCone(cause)) return true
+        if (found.mistake in CONES && cause.mistake == Mistake.UNIFORM_ABSENT) return false
         if (found.mistake !in TRACES[cause.mistake].orEmpty()) return false
         return cause.mistake !in LOSSES || isLoss(cause)
     }
 
     /** Whether [found] says that numbers never arrive, and not only in the first frame. */
     fun isLoss(found: Found): Boolean = found.mistake in LOSSES && !found.explains.isNullOrEmpty()
+
+    /** Whether [found] says so of the numbers of a cone. */
+    fun isLossOfCone(found: Found): Boolean = isLoss(found) && Check.CONE in found.explains.orEmpty()
 
     /** The checks that [trace] would have cost. */
     fun checks(trace: Mistake): Set<Check> = ABSENT[trace] ?: setOf(trace.check)

@@ -47,7 +47,7 @@ private val ORBITING = setOf(ORBIT_PIVOT, ORBIT_HORIZON, ORBIT_FACTOR, ORBIT_STA
 private val SENT =
     listOf(
         POINT_LIGHT, SPOT_LIGHT, MORE_LIGHTS, POINT_LIGHT_POSITION, POINT_LIGHT_CHILD, SPOT_LIGHT_CHILD, SPOT_DIRECTION, CONE,
-        ATTENUATION_POINT, ATTENUATION_SPOT, MOTORCYCLE_COLOR,
+        ATTENUATION_POINT, ATTENUATION_SPOT, MOTORCYCLE_COLOR, SPECULAR,
     )
 
 /** The checks that measure something else than they should while [mistake] is in the picture, besides the one that it costs. */

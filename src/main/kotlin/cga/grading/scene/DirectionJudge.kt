@@ -1,5 +1,6 @@
 package cga.grading.scene
 
+import cga.grading.capture.Key
 import cga.grading.capture.Moment
 import cga.grading.findings.Check
 import cga.grading.findings.Mistake
@@ -52,8 +53,13 @@ internal class DirectionJudge(
                 if (direction == null || !direction.isFinite || direction.length() < NONE) null else Sample(shot, direction.normalize())
             }
         if (samples.isEmpty()) return noDirection(spot)
-        val aims = Aim.entries.associateWith { aimed(it, samples) }
-        val aim = aims.keys.find { (aims[it]?.residual ?: Double.MAX_VALUE) <= HOLDS }
+        val always = aims(samples)
+        // A headlight on the handlebar turns with it while a key steers.
+        val straight = aims(samples.filter { Key.LEFT !in it.shot.moment.keys && Key.RIGHT !in it.shot.moment.keys })
+        val isSteered = holding(always) == null && holding(straight) != null
+        if (isSteered) book.note("The headlight ${spot.name} turns aside while the motorcycle is steered.")
+        val aims = if (isSteered) straight else always
+        val aim = holding(aims)
         val child = aims.getValue(Aim.CHILD)
         when {
             aim == Aim.CHILD -> {
@@ -161,6 +167,11 @@ internal class DirectionJudge(
         val way = after.motorcycle.translation().sub(before.motorcycle.translation())
         return if (way.length() < NONE) null else shot.motorcycleTurn.transform(Matrix3d(before.motorcycleTurn).transpose().transform(way))
     }
+
+    private fun aims(samples: List<Sample>): Map<Aim, Aimed> =
+        if (samples.isEmpty()) emptyMap() else Aim.entries.associateWith { aimed(it, samples) }
+
+    private fun holding(aims: Map<Aim, Aimed>): Aim? = aims.keys.find { aims.getValue(it).residual <= HOLDS }
 
     private fun aimed(
         aim: Aim,

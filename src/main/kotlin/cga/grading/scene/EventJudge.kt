@@ -28,6 +28,7 @@ internal class EventJudge(
         dead()
         unplaced()
         misspelt()
+        misspeltExponent()
         besideArray()
         beforeUse()
         absent()
@@ -92,14 +93,24 @@ internal class EventJudge(
     private fun misspelt() {
         val waiting = program.unset.orEmpty().filter { CONE_WORDS.containsMatchIn(it) }
         val asked = texts(EventKind.UNIFORM_ABSENT).filterNot(::isDeclared)
-        val lost = waiting.filter { name -> asked.any { editDistance(it, name) <= TYPO || isMostly(it, name) } }.ifEmpty { return }
+        val lost = waiting.filter { name -> asked.any { editDistance(it, name) <= TYPO || (CONE_WORDS.containsMatchIn(it) && isMostly(it, name)) } }
+            .ifEmpty { return }
         book.spoilt(Check.CONE, 1.0, "${lost.joinToString()} never arrives: it is sent under another name.")
         book.lacks(lost.joinToString(), setOf(Check.CONE, Check.SPOT_DIRECTION, Check.SPOT_LIGHT, Check.CONE_SPECULAR), CONES)
     }
 
-    /** Whether two names of numbers of a cone begin and end alike in more than half of their letters: `lamp.cutOff`, `lamp.innerCutOff`. */
+    /** An exponent that is sent under a name which is much alike: the study sees that it follows nothing that is sent. */
+    private fun misspeltExponent() {
+        val waiting = program.unset.orEmpty().filter { SHINE_WORDS.containsMatchIn(it) }
+        val asked = texts(EventKind.UNIFORM_ABSENT).filter { SHINE_WORDS.containsMatchIn(it) && !isDeclared(it) }
+        val lost = waiting.filter { name -> asked.any { editDistance(it, name) <= TYPO || isMostly(it, name) } }.ifEmpty { return }
+        book.spoilt(Check.SPECULAR, 1.0, "${lost.joinToString()} never arrives: it is sent under another name.")
+        book.lacks(lost.joinToString(), setOf(Check.SPECULAR), setOf(Mistake.EXPONENT_FIXED))
+    }
+
+    /** Whether two names begin and end alike in more than half of their letters: `lamp.cutOff`, `lamp.innerCutOff`. */
     private fun isMostly(a: String, b: String) =
-        CONE_WORDS.containsMatchIn(a) && 2 * (a.commonPrefixWith(b).length + a.commonSuffixWith(b, true).length) > maxOf(a.length, b.length)
+        2 * (a.commonPrefixWith(b).length + a.commonSuffixWith(b, true).length) > maxOf(a.length, b.length)
 
     /** Numbers that are sent to an element which an array does not have, while one that it has waits: a light is lost of however many. */
     private fun besideArray() {
@@ -167,7 +178,7 @@ internal class EventJudge(
     private fun texts(kind: EventKind) = events.filter { it.kind == kind }.map { it.text.take(LONGEST_NAME) }.distinct().take(MOST_TEXTS)
 
     /** Whether a light could depend on it. */
-    private fun matters(name: String) = LIGHT_WORDS.containsMatchIn(name) || distance(name) <= TYPO
+    private fun matters(name: String) = LIGHT_WORDS.containsMatchIn(name) || SHINE_WORDS.containsMatchIn(name) || distance(name) <= TYPO
 
     private fun suggestion(name: String): String {
         val meant = nearest(name)
@@ -185,6 +196,8 @@ internal class EventJudge(
     private companion object {
         const val MOST_TEXTS = 64
         val CONE_WORDS = Regex("inner|outer|innen|au(ss|ß)en|cone|angle|winkel|kegel|cut|cos|phi|gamma|theta", RegexOption.IGNORE_CASE)
+
+        val SHINE_WORDS = Regex("shin|expo|gloss|glanz|phong", RegexOption.IGNORE_CASE)
 
         /** What half a cone may look like. */
         val CONES = Mistake.entries.filter { it.check == Check.CONE || it.check == Check.SPOT_DIRECTION }.toSet()

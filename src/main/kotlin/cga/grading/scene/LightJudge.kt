@@ -1,5 +1,7 @@
 package cga.grading.scene
 
+import cga.grading.capture.CapturedEvent
+import cga.grading.capture.EventKind
 import cga.grading.findings.Check
 import cga.grading.findings.Mistake
 
@@ -8,8 +10,11 @@ internal class LightJudge(
     private val timeline: Timeline,
     private val roles: LightRoles,
     private val program: ProgramFacts,
+    events: List<CapturedEvent>,
     private val book: Notebook,
 ) {
+    private val overwritten = events.filter { it.kind == EventKind.UNIFORM_OVERWRITTEN }.map { it.text }.toSet()
+
     fun judge() {
         point()
         spot()
@@ -19,6 +24,7 @@ internal class LightJudge(
         val own = roles.own
         if (own == null) {
             val idle = roles.idle
+            roles.further.find { idle == null && it.last.placedBy in overwritten }?.let { return replaced(it) }
             val others =
                 when {
                     idle != null -> "${idle.name} is sent, and no shader draws with it."
@@ -39,6 +45,14 @@ internal class LightJudge(
         }
         rides(own, Check.POINT_LIGHT_CHILD, Mistake.LIGHT_NOT_CHILD)
         height(own)
+    }
+
+    /** The motorcycle's light is sent, and [other] after it under the same names. */
+    private fun replaced(other: LightTrack) {
+        val text = "${other.name} is sent twice before anything is drawn, and far from the motorcycle the second time; wanted: each light by itself."
+        POINT.forEach { book.absent(it, text) }
+        val explains = POINT + Check.ATTENUATION_POINT + Check.LIGHT_COLOR - Mistake.LIGHT_POSITION_OVERWRITTEN.check
+        book.found(Mistake.LIGHT_POSITION_OVERWRITTEN, 0.0, 1.0, other.name, explains = explains)
     }
 
     private fun spot() {

@@ -100,7 +100,7 @@ public object SceneJudge {
         val roles = LightRoles.of(timeline, program.canCone)
         book.unlit = roles.unlit
         book.spot = roles.spot?.name
-        LightJudge(timeline, roles, program, book).judge()
+        LightJudge(timeline, roles, program, events, book).judge()
         PositionJudge(timeline, roles, events, book).judge()
         DirectionJudge(timeline, roles, book).judge()
         cone(roles, book)

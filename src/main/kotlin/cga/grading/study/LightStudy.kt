@@ -29,13 +29,10 @@ internal class LightStudy(
         val shared = if (cosine.error > SUSPECT) shared(probe, lit, texels) else emptyList()
         if (shared.isNotEmpty()) return LightModel.unplaced(probe, shared, null)
         val model = measured(probe, Amplitudes(probe, placement, texels, cosine.unclamped), lit, cosine)
-        return if ((model.attenuation?.error ?: 0.0) > AttenuationFit.ACCEPTED ||
-            model.otherDirection
-        ) {
-            bySpecular(probe, placement, cosine) ?: model
-        } else {
-            model
-        }
+        if ((model.attenuation?.error ?: 0.0) <= AttenuationFit.ACCEPTED && !model.otherDirection) return model
+        // Near one of them, others of its colour only spoil how it fades.
+        val more = if (cosine.error > SUSPECT) emptyList() else shared(probe, lit, texels)
+        return if (more.isEmpty()) bySpecular(probe, placement, cosine) ?: model else LightModel.unplaced(probe, more, null)
     }
 
     /** The diffuse cosine may be that with another direction, [diffuse]: what the specular term says of the light. */

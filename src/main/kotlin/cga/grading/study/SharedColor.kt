@@ -20,7 +20,7 @@ internal object SharedColor {
     ): List<SharedLight> {
         val random = Random(12)
         val different = candidates.filterIndexed { i, c -> candidates.take(i).none { it.distance(c) < 1e-4 } }
-        val places = shining(probe, different.take(MOST), texels)
+        val places = shining(probe, different.take(MOST), texels).take(MOST_LIGHTS)
         if (places.size < 2 || !isSum(probe, points.take(FIRST), places, texels)) return emptyList()
         val around =
             points + places.flatMap { c -> List(AROUND) { Vector3d(Directions.random(random)).mul(random.nextDouble(0.5, 4.0)).add(c) } }
@@ -53,11 +53,17 @@ internal object SharedColor {
         places: List<Vector3d>,
         texels: Map<String, Double>,
     ): List<Vector3d> {
-        val sides = listOf(-BESIDE, BESIDE)
-        val samples = places.flatMap { c -> Directions.AXES.flatMap { n -> sides.map { Sample(Vector3d(c).fma(it, n), n) } } }
+        // As many as a narrow cone needs to be met.
+        val around = Directions.sphere(ALL_AROUND)
+        val samples = places.flatMap { c -> around.flatMap { n -> SIDES.map { Sample(Vector3d(c).fma(it, n), n) } } }
         val shades = probe.shade(samples, texels)
-        val per = 2 * Directions.AXES.size
-        val jumps = places.indices.map { c -> Directions.AXES.indices.sumOf { shades[per * c + 2 * it] - shades[per * c + 2 * it + 1] } }
+        val per = 2 * ALL_AROUND
+        val jumps = places.indices.map { c ->
+            around.indices.maxOf {
+                val (bright, dark) = shades[per * c + 2 * it] to shades[per * c + 2 * it + 1]
+                if (dark < MOSTLY_DARK * bright) bright - dark else 0.0
+            }
+        }
         val largest = jumps.filter { it.isFinite() }.maxOrNull() ?: return emptyList()
         return places.filterIndexed { c, _ -> jumps[c] > JUMP * largest && jumps[c] > 0 }
     }
@@ -114,10 +120,15 @@ internal object SharedColor {
     private const val FIRST = 6
 
     /** View-space units: so near that a light's distance changes nothing of its strength. */
-    private const val BESIDE = 0.02
+    private val SIDES = listOf(-0.02, 0.02)
+    private const val ALL_AROUND = 150
     private const val JUMP = 0.1
+
+    /** Of the bright side: what a light farther away leaves on the other. */
+    private const val MOSTLY_DARK = 0.7
     private const val NEAR = 5.0
-    private const val MOST = 40
+    private const val MOST = 400
+    private const val MOST_LIGHTS = 40
     private const val AROUND = 12
     private const val NORMALS = 64
     private const val ROUNDS = 400

@@ -108,7 +108,13 @@ class VerdictTest {
 
     @Test
     fun `numbers of a cone that are lost cost the cone, even where what is left of it is drawn as it should be`() {
-        val lost = scene(found(Mistake.UNIFORM_ABSENT, explains = setOf(Check.CONE)), errors = mapOf(Check.CONE to 1.0, Check.POINT_LIGHT to 0.0))
+        val lost = scene(
+            found(Mistake.UNIFORM_ABSENT, explains = setOf(Check.CONE)),
+            errors = mapOf(
+                Check.CONE to 1.0,
+                Check.POINT_LIGHT to 0.0,
+            ),
+        )
         assertEquals(setOf(Check.CONE), Verdict.of(shading(), lost).costs())
     }
 

@@ -264,7 +264,13 @@ class FreedomsTest {
 
             override fun update(dt: Double, t: Double, keys: Set<Key>) {
                 super.update(dt, t, keys)
-                steering = if (Key.LEFT in keys) 0.3f else if (Key.RIGHT in keys) -0.3f else 0f
+                steering = if (Key.LEFT in keys) {
+                    0.3f
+                } else if (Key.RIGHT in keys) {
+                    -0.3f
+                } else {
+                    0f
+                }
             }
 
             override fun worldDirection(lamp: Lamp) = super.worldDirection(lamp).rotateY(steering.toDouble())

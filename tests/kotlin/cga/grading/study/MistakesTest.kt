@@ -390,8 +390,10 @@ class MistakesTest {
                 },
             ),
             fragment(
-                Mistake.LATER_LIGHTS_FIRST_COLOR, "one colour for all, the headlight's as well",
-                "* cornerLightColor *" to "* pointLightColor *", "* spotLightColor *" to "* pointLightColor *",
+                Mistake.LATER_LIGHTS_FIRST_COLOR,
+                "one colour for all, the headlight's as well",
+                "* cornerLightColor *" to "* pointLightColor *",
+                "* spotLightColor *" to "* pointLightColor *",
             ),
             Case("view space scaled", setOf(Mistake.VIEW_SCALED), sent = { _, it ->
                 it +

@@ -43,7 +43,10 @@ internal class VerdictChecks(
         // What never shines may be computed right all the same.
         if (isShaded && !staging.found) return null
         // The numbers of a cone are odd, and what it makes of them is right.
-        return staging.takeUnless { check == Check.CONE && isShaded && known.none { it.mistake.check == Check.CONE || VerdictTraces.isLossOfCone(it) } }
+        return staging.takeUnless {
+            check == Check.CONE && isShaded &&
+                known.none { it.mistake.check == Check.CONE || VerdictTraces.isLossOfCone(it) }
+        }
     }
 
     /** What cannot be measured because there is nothing. */

@@ -44,7 +44,10 @@ internal object VerdictTraces {
             // Of lights of one colour only where they are is told apart well, and not what a cone leaves of one.
             Mistake.LATER_LIGHTS_FIRST_COLOR to
                 setOf(
-                    Mistake.MORE_LIGHTS_MISSING, Mistake.MORE_LIGHTS_ALIKE, Mistake.LIGHT_MISSING, Mistake.SPOT_MISSING,
+                    Mistake.MORE_LIGHTS_MISSING,
+                    Mistake.MORE_LIGHTS_ALIKE,
+                    Mistake.LIGHT_MISSING,
+                    Mistake.SPOT_MISSING,
                     Mistake.ATTENUATION_OTHER_K,
                 ),
             Mistake.LATER_LIGHTS_FIRST_COSINE to

@@ -93,8 +93,13 @@ internal class EventJudge(
     private fun misspelt() {
         val waiting = program.unset.orEmpty().filter { CONE_WORDS.containsMatchIn(it) }
         val asked = texts(EventKind.UNIFORM_ABSENT).filterNot(::isDeclared)
-        val lost = waiting.filter { name -> asked.any { editDistance(it, name) <= TYPO || (CONE_WORDS.containsMatchIn(it) && isMostly(it, name)) } }
-            .ifEmpty { return }
+        val lost = waiting
+            .filter { name ->
+                asked.any {
+                    editDistance(it, name) <= TYPO ||
+                        (CONE_WORDS.containsMatchIn(it) && isMostly(it, name))
+                }
+            }.ifEmpty { return }
         book.spoilt(Check.CONE, 1.0, "${lost.joinToString()} never arrives: it is sent under another name.")
         book.lacks(lost.joinToString(), setOf(Check.CONE, Check.SPOT_DIRECTION, Check.SPOT_LIGHT, Check.CONE_SPECULAR), CONES)
     }

@@ -49,7 +49,7 @@ internal class LightJudge(
 
     /** The motorcycle's light is sent, and [other] after it under the same names. */
     private fun replaced(other: LightTrack) {
-        val text = "${other.name} is sent twice before anything is drawn, and far from the motorcycle the second time; wanted: each light by itself."
+        val text = "${other.name} is sent twice before a draw, far from the motorcycle the second time; wanted: each light by itself."
         POINT.forEach { book.absent(it, text) }
         val explains = POINT + Check.ATTENUATION_POINT + Check.LIGHT_COLOR - Mistake.LIGHT_POSITION_OVERWRITTEN.check
         book.found(Mistake.LIGHT_POSITION_OVERWRITTEN, 0.0, 1.0, other.name, explains = explains)

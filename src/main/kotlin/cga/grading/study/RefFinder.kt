@@ -101,11 +101,8 @@ internal class RefFinder(
             scales.firstOrNull { scale -> TABLE.any { row -> (0..2).all { isNear(row[it], scale * k[it]) } } }
                 ?: scales.firstOrNull { scale -> areSent(scale) && (scale == 1.0 || !(k.y() == 0.0 && k.z() == 0.0)) }
                 ?: 1.0
-        return (
-            together(k, explained)
-                ?: List(3) { if (areSent(explained)) number(explained * k[it]) else NumberRef(null, 0, explained * k[it]) }
-        ) to
-            explained
+        val each = { part: Double -> if (areSent(explained)) number(part) else NumberRef(null, 0, part) }
+        return (together(k, explained) ?: List(3) { each(explained * k[it]) }) to explained
     }
 
     /**

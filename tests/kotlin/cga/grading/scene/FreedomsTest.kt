@@ -258,6 +258,21 @@ class FreedomsTest {
     }
 
     @Test
+    fun `a further light that comes after the motorcycle, ever more slowly`() {
+        val rig = object : Rig() {
+            private val trail = Lamp("trail", lamp(Vector3f(0f, 2f, 3f), null), POINT_K) { Vector3d(0.0, 1.0, 1.0) }
+            override val lamps get() = listOf(own, head) + corners + trail
+
+            override fun update(dt: Double, t: Double, keys: Set<Key>) {
+                super.update(dt, t, keys)
+                val way = motorcycle.getWorldPosition().add(Vector3f(0f, 2f, 3f)).sub(trail.body.getWorldPosition())
+                trail.body.translateGlobal(way.mul((1 - Math.exp(-dt)).toFloat()))
+            }
+        }
+        rig.verdict().assertRight()
+    }
+
+    @Test
     fun `a headlight on the handlebar turns aside while a key steers`() {
         val rig = object : Rig() {
             private var steering = 0f

@@ -85,11 +85,14 @@ internal class PositionJudge(
         return inWorld.size > 2 && listOf(inWorld, onMotorcycle).all { places -> places.maxOf { it.distance(places[0]) } > MOVED }
     }
 
-    /** Whether [light] goes farther in the world while the mouse turns the camera, picture by picture, than it has in seconds before. */
+    /** Whether [light] goes about in the world while the mouse turns the camera, and rests in the pictures between. */
     private fun movesWithCamera(light: LightTrack): Boolean {
-        val turning = timeline.laterShots.filter { it.moment in Moment.MOUSE_FIRST..Moment.MOUSE_FAR }
-        val places = turning.mapNotNull { shot -> light.at(shot.moment)?.let(shot::world) }
-        return places.size > 2 && places.maxOf { it.distance(places[0]) } > MOVED * max(1.0, places[0].length())
+        val shots = timeline.laterShots.filter { it.moment in Moment.MOUSE_FIRST..Moment.MOUSE_FAR }
+        val places = shots.mapNotNull { shot -> light.at(shot.moment)?.let { shot.moment to shot.world(it) } }
+        if (places.size < 3) return false
+        val way = MOVED * max(1.0, places[0].second.length())
+        val (moved, still) = places.zipWithNext().partition { (_, now) -> now.first.mouse != null }
+        return moved.any { (a, b) -> a.second.distance(b.second) > way } && still.all { (a, b) -> a.second.distance(b.second) <= way }
     }
 
     private fun LightTrack.isRider() = this === roles.own || this === roles.spot

@@ -30,8 +30,8 @@ internal class LightStudy(
         if (shared.isNotEmpty()) return LightModel.unplaced(probe, shared, null)
         val model = measured(probe, Amplitudes(probe, placement, texels, cosine.unclamped), lit, cosine)
         if ((model.attenuation?.error ?: 0.0) <= AttenuationFit.ACCEPTED && !model.otherDirection) return model
-        // Near one of them, others of its colour only spoil how it fades.
-        val more = if (cosine.error > SUSPECT) emptyList() else shared(probe, lit, texels)
+        // Near one of them, others of its colour only spoil how it fades. Near the eye there is none.
+        val more = if (cosine.error > SUSPECT || model.isFromEye) emptyList() else shared(probe, lit, texels)
         return if (more.isEmpty()) bySpecular(probe, placement, cosine) ?: model else LightModel.unplaced(probe, more, null)
     }
 

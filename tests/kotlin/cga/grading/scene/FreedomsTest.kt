@@ -296,6 +296,52 @@ class FreedomsTest {
     }
 
     @Test
+    fun `a headlight on a fork that swings back slowly turns aside and moves a little`() {
+        val verdict = Fork(back = 1.0).verdict()
+        verdict.assertRight()
+        assertTrue(verdict.notes.any { "while the motorcycle is steered" in it }, verdict.text())
+    }
+
+    @Test
+    fun `a headlight that never swings back, or flies far aside, is no freedom`() {
+        Fork(back = 0.0, lever = 0f).verdict().assertCosts(Check.SPOT_DIRECTION)
+        val far = Fork(back = 1.0, lever = 6f).verdict()
+        val place = far.checks.single { it.check == Check.POINT_LIGHT_POSITION }
+        assertTrue((place.error ?: 0.0) > 0.01, far.text())
+    }
+
+    /** A headlight on a fork: it turns aside by up to 0.3 radians while a key steers, then comes [back] at so many radians a second. */
+    private class Fork(
+        private val back: Double,
+        private val lever: Float = 0.6f,
+    ) : Rig() {
+        private val head0 = Vector3d(0.0, 0.9, -1.6)
+        private var steering = 0.0
+
+        override fun update(
+            dt: Double,
+            t: Double,
+            keys: Set<Key>,
+        ) {
+            super.update(dt, t, keys)
+            val wanted = (if (Key.LEFT in keys) 0.3 else 0.0) - (if (Key.RIGHT in keys) 0.3 else 0.0)
+            val pace = if (wanted == 0.0) back else 4.0
+            steering += (wanted - steering).coerceIn(-pace * dt, pace * dt)
+        }
+
+        override fun worldDirection(lamp: Lamp) = super.worldDirection(lamp).rotateY(steering)
+
+        override fun position(
+            lamp: Lamp,
+            view: Matrix4d,
+        ): Vector3d {
+            if (lamp !== head) return super.position(lamp, view)
+            val onFork = Vector3d(0.0, 0.0, -lever.toDouble()).rotateY(steering).add(head0).add(0.0, 0.0, lever.toDouble())
+            return view.transformPosition(motorcycle.getWorldModelMatrix(Matrix4d()).transformPosition(onFork))
+        }
+    }
+
+    @Test
     fun `a level headlight is only noted`() {
         val rig = object : Rig() {
             init {

@@ -2,6 +2,7 @@ package cga.grading.scene
 
 import cga.grading.capture.CapturedEvent
 import cga.grading.capture.EventKind
+import cga.grading.capture.Moment
 import cga.grading.findings.Check
 import cga.grading.findings.Mistake
 import org.joml.Matrix4d
@@ -234,6 +235,17 @@ class SpotMistakesTest {
         val none = Vector3d(1.0, 0.0, 0.0)
         fading(none, none, SceneProfile.LATER).assertMistake(Mistake.ATTENUATION_MISSING, *both)
         assertEquals(2, fading(square, square).checks.count { it.check in both && (it.error ?: 0.0) > 0.5 })
+    }
+
+    @Test
+    fun `where any K is right, one that another light's was sent over is not`() {
+        fun rig() = object : Rig() {
+            override fun lights(moment: Moment, t: Double, view: Matrix4d) =
+                super.lights(moment, t, view).map { ObservedLight(it.name, it.position, it.color, SPOT_K, it.spot, fadedBy = setOf("k")) }
+        }
+        rig().verdict(SceneProfile.LATER).assertRight()
+        val overwritten = CapturedEvent(EventKind.UNIFORM_OVERWRITTEN, 3, "k")
+        rig().verdict(SceneProfile.LATER, listOf(overwritten)).assertMistake(Mistake.ATTENUATION_LAST_K)
     }
 
     private fun aimed(direction: (Rig, Matrix4d) -> Vector3d): SceneVerdict {

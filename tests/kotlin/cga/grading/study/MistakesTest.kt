@@ -318,6 +318,26 @@ class MistakesTest {
                 "emission multiplied",
                 "color = vec4(result" to "color = vec4((result - emission) * emission",
             ),
+            fragment(
+                Mistake.EMISSION_MULTIPLIED,
+                "emission in the light's bracket",
+                "vec3 result = emission" to "vec3 result = vec3(0.0)",
+                "shade(n, lp, v, diffuse, specular) *" to "(emission + shade(n, lp, v, diffuse, specular)) *",
+                "shade(n, lc, v, diffuse, specular) *" to "(emission + shade(n, lc, v, diffuse, specular)) *",
+                "shade(n, ls, v, diffuse, specular) *" to "(emission + shade(n, ls, v, diffuse, specular)) *",
+            ),
+            fragment(
+                Mistake.EMISSION_MULTIPLIED,
+                "emission beside the diffuse texture",
+                "vec3 result = emission" to "diffuse += emission; vec3 result = vec3(0.0)",
+            ),
+            fragment(
+                Mistake.NORMAL_NOT_RENORMALIZED,
+                "normals as they come, stretched by the model's scale, in cosines that are cut off at 1",
+                "normalize(vertexData.normal)" to "vertexData.normal",
+                "max(dot(n, l), 0.0)" to "clamp(dot(n, l), 0.0, 1.0)",
+                "max(dot(n, h), 0.0)" to "clamp(dot(n, h), 0.0, 1.0)",
+            ),
             fragment(Mistake.EMISSION_COLOR_IGNORED, "emission colour ignored", " * sceneColour" to ""),
             fragment(Mistake.EMISSION_COLOR_ADDED, "emission colour added", ".rgb * sceneColour" to ".rgb + sceneColour"),
             fragment(
@@ -400,6 +420,12 @@ class MistakesTest {
                     ("view_matrix" to org.joml.Matrix4d().scale(1.25).mul(scene.view))
             }),
             values(Mistake.CONE_NEVER_SENT, "only the direction never sent", "spotLightDirection" to Vector3d()),
+            Case(
+                "cosines never sent",
+                setOf(Mistake.CONE_NEVER_SENT),
+                fragment = CourseShaders.FRAGMENT.edited("cos(spotInner)", "spotInner").edited("cos(spotOuter)", "spotOuter"),
+                sent = { _, it -> it + mapOf("spotInner" to 0.0, "spotOuter" to 0.0) },
+            ),
             values(Mistake.CONE_NEVER_SENT, "cone never sent", "spotInner" to 0.0, "spotOuter" to 0.0, "spotLightDirection" to Vector3d()),
         )
 

@@ -73,4 +73,15 @@ class ViewProjectionTest {
         assertTrue(seen != null && seen.distance(view.transformPosition(there, Vector3d())) < 1e-4) { "$seen" }
         assertEquals(0.8, spaces?.modelView?.scale() ?: 0.0, 1e-5)
     }
+
+    @Test
+    fun `the way back that is sent for the normals is no view`() {
+        val (projection, view, model) = Triple(perspective(), rigid(), rigid().scale(0.8))
+        val modelView = view.mul(model, Matrix4d())
+        val names = listOf("p", "mv", "n", "v")
+        val values = names.zip(listOf(projection, modelView, modelView.invert(Matrix4d()), view).map(::floats)).toMap()
+        val spaces = Spaces.of(GeometryFormula(0, listOf("p", "mv")), names, values)
+        assertNear(view, spaces?.view)
+        assertNear(model, spaces?.model)
+    }
 }

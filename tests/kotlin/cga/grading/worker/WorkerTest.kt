@@ -75,6 +75,18 @@ class WorkerTest {
     }
 
     @Test
+    fun `a game that asks for the arrow keys only is driven by them`() {
+        val lines = WorkerProcess.ofStudent("Rider").out.trim().lines()
+
+        fun held(moment: Moment) = lines.single { it.startsWith("frame ${moment.ordinal} ") }.substringAfter("right ")
+        assertEquals("[false, false, false]", held(Moment.TIME_4))
+        assertEquals("[true, false, false]", held(Moment.DRIVEN))
+        assertEquals("[true, true, false]", held(Moment.STEERED))
+        assertEquals("[false, false, false]", held(Moment.MOUSE_RIGHT))
+        assertEquals("[true, false, true]", held(Moment.MOUSE_DRIVEN))
+    }
+
+    @Test
     fun `callbacks that a student sets on the window are called, and not the window's own`() {
         val run = WorkerProcess.ofStudent("Caller")
         val lines = run.out.trim().lines()

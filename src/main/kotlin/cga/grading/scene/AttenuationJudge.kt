@@ -1,5 +1,7 @@
 package cga.grading.scene
 
+import cga.grading.capture.CapturedEvent
+import cga.grading.capture.EventKind
 import cga.grading.findings.Check
 import cga.grading.findings.Mistake
 import org.joml.Vector3d
@@ -11,8 +13,10 @@ internal class AttenuationJudge(
     private val timeline: Timeline,
     private val roles: LightRoles,
     private val profile: SceneProfile,
+    events: List<CapturedEvent>,
     private val book: Notebook,
 ) {
+    private val overwritten = events.filter { it.kind == EventKind.UNIFORM_OVERWRITTEN }.map { it.text }.toSet()
     private val pointK = profile.pointK
     private val spotK = profile.spotK
 
@@ -22,6 +26,18 @@ internal class AttenuationJudge(
         val point = measure(model, pointK, Check.ATTENUATION_POINT, "There is no point light that could fade.")
         val spot = measure(roles.spot, spotK, Check.ATTENUATION_SPOT, "There is no spotlight that could fade.")
         name(point, spot)
+        if (point == null && pointK == null) overwritten()
+    }
+
+    /** Where any K is right, one that another light's was sent over is not: each of them was meant for its own light. */
+    private fun overwritten() {
+        val own = roles.own ?: return
+        val names = own.last.fadedBy.intersect(overwritten)
+        val others = (listOfNotNull(roles.spot) + roles.further).filter { names.isNotEmpty() && it.last.fadedBy.containsAll(names) }
+        if (others.isEmpty()) return
+        val where = (listOf(own) + others).joinToString(", ") { it.name }
+        book.measured(Check.ATTENUATION_POINT, 1.0, "$where: K = ${own.last.k.text()}, the last one's that was sent; wanted: each its own.")
+        book.found(Mistake.ATTENUATION_LAST_K, 0.0, 1.0, where)
     }
 
     /** A light's K that differs from the table's. */

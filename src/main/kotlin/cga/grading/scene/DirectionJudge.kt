@@ -1,6 +1,5 @@
 package cga.grading.scene
 
-import cga.grading.capture.Key
 import cga.grading.capture.Moment
 import cga.grading.findings.Check
 import cga.grading.findings.Mistake
@@ -55,8 +54,9 @@ internal class DirectionJudge(
         if (samples.isEmpty()) return noDirection(spot)
         val always = aims(samples)
         // A headlight on the handlebar turns with it while a key steers.
-        val straight = aims(samples.filter { Key.LEFT !in it.shot.moment.keys && Key.RIGHT !in it.shot.moment.keys })
-        val isSteered = holding(always) == null && holding(straight) != null
+        val aside = if (holding(always) == null) Handlebar.aside(spot, timeline) else emptySet()
+        val straight = aims(samples.filter { it.shot.moment !in aside })
+        val isSteered = aside.isNotEmpty() && holding(straight) != null
         if (isSteered) book.note("The headlight ${spot.name} turns aside while the motorcycle is steered.")
         val aims = if (isSteered) straight else always
         val aim = holding(aims)

@@ -50,6 +50,7 @@ public class ObservedObject(
  * @param spot its cone, null for a point light.
  * @param placedBy the uniform that its position is sent in; null where that is not known.
  * @param isViewed whether the shaders bring what is sent from world space to view space.
+ * @param fadedBy the uniforms that its K is sent in; empty where that is not known.
  */
 public class ObservedLight(
     public val name: String,
@@ -59,9 +60,10 @@ public class ObservedLight(
     public val spot: ObservedCone?,
     public val placedBy: String? = null,
     public val isViewed: Boolean = false,
+    public val fadedBy: Set<String> = emptySet(),
 ) {
     /** The same light by another name. */
-    internal fun named(name: String) = ObservedLight(name, position, color, k, spot, placedBy, isViewed)
+    internal fun named(name: String) = ObservedLight(name, position, color, k, spot, placedBy, isViewed, fadedBy)
 }
 
 /**

@@ -46,6 +46,9 @@ internal class Placed(
             common: Space,
         ): Placed {
             val always = of(light, timeline.laterShots, common, false)
+            if (always.place?.right == true && always.fit <= HOLDS) return always
+            val aside = Handlebar.aside(light, timeline)
+            if (aside.isNotEmpty()) return of(light, timeline.laterShots.filter { it.moment !in aside }, common, false)
             if (always.place?.right == true || timeline.settledShots.none { it.moment >= Moment.MOUSE_FIRST }) return always
             val settled = of(light, timeline.settledShots, common, true)
             return if (settled.place?.right == true && settled.fit <= HOLDS) settled else always

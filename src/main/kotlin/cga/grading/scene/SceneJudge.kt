@@ -95,7 +95,7 @@ public object SceneJudge {
         book: Notebook,
     ) {
         if (!timeline.cast.driven && timeline.frame(Moment.DRIVEN) != null) {
-            book.note("The motorcycle cannot be driven with W, A, S and D: what it is was guessed.")
+            book.note("The motorcycle cannot be driven with W, A, S and D, nor with the arrow keys: what it is was guessed.")
         }
         val roles = LightRoles.of(timeline, program.canCone)
         book.unlit = roles.unlit
@@ -104,7 +104,7 @@ public object SceneJudge {
         PositionJudge(timeline, roles, events, book).judge()
         DirectionJudge(timeline, roles, book).judge()
         cone(roles, book)
-        AttenuationJudge(timeline, roles, profile, book).judge()
+        AttenuationJudge(timeline, roles, profile, events, book).judge()
         ColorJudge(timeline, roles, events.any { it.kind == EventKind.UNIFORM_ABSENT }, book).judge()
         OrbitJudge(timeline, profile, book).judge()
         ParentOrder(timeline, roles, book).judge()

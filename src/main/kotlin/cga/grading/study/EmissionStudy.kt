@@ -1,5 +1,6 @@
 package cga.grading.study
 
+import org.joml.Vector3d
 import kotlin.math.abs
 
 /** What the shaders do with the emission texture. */
@@ -16,7 +17,7 @@ internal enum class EmissionForm {
     /** The texture is multiplied with another one. */
     PRODUCT,
 
-    /** The texture is multiplied with the light. */
+    /** The texture is multiplied with the light: all of the light, or a share of it beside the other textures'. */
     MULTIPLIED,
     MISSING,
 }
@@ -47,7 +48,7 @@ internal class EmissionStudy(
             roles: TextureRoles?,
         ): EmissionStudy {
             val candidates = colors.flats + colors.factors
-            val point = listOf(Sample(org.joml.Vector3d(0.3, 0.2, -4.0), Directions.AXES[2]))
+            val point = listOf(Sample(Vector3d(0.3, 0.2, -4.0), Directions.AXES[2]))
             val dark = Setting().withColors(colors.lights, 0.0).withColors(candidates, 1.0)
 
             fun shown(
@@ -63,10 +64,14 @@ internal class EmissionStudy(
                 shown(roles?.diffuse, dark) >
                     shown(roles?.diffuse, dark.withColors(listOf(it), 0.0)) + 1e-4
             }
-            if (roles?.multiplied == true) return EmissionStudy(EmissionForm.MULTIPLIED, null, ambient)
+            if (roles != null && (roles.multiplied || roles.inLights)) return EmissionStudy(EmissionForm.MULTIPLIED, null, ambient)
             val shown = shown(sampler, dark)
             if (!(shown > 1e-4)) {
-                val product = product(box, point, dark) ?: return EmissionStudy(EmissionForm.MISSING, null, ambient)
+                val product = product(box, point, dark)
+                if (product == null) {
+                    val form = if (isLit(box, colors, roles)) EmissionForm.MULTIPLIED else EmissionForm.MISSING
+                    return EmissionStudy(form, null, ambient)
+                }
                 val tint = candidates.firstOrNull { product(box, point, dark.withColors(listOf(it), 0.0)) == null }
                 return EmissionStudy(EmissionForm.PRODUCT, tint, ambient, product)
             }
@@ -81,6 +86,23 @@ internal class EmissionStudy(
                     else -> EmissionForm.UNTINTED
                 }
             return EmissionStudy(form, tint ?: added, ambient, shown)
+        }
+
+        /** Whether a texture that is neither the diffuse nor the specular one shows by light. */
+        private fun isLit(
+            box: BlackBox,
+            colors: ColorSlots,
+            roles: TextureRoles?,
+        ): Boolean {
+            if (roles?.diffuse == null) return false
+            val others = box.program.samplers.map { it.name } - setOfNotNull(roles.diffuse, roles.specular)
+            val around = Directions.AXES.map { Sample(Vector3d(0.3, 0.2, -4.0), it) }
+            val bright = Setting().withColors(colors.lights + colors.flats + colors.factors, 1.0)
+            val unlit = box.shade(around, bright)
+            return others.any { name ->
+                val shown = box.shade(around, bright.withTexels(mapOf(name to 1.0)))
+                shown.indices.any { shown[it] - unlit[it] > 1e-4 }
+            }
         }
 
         /** What shows of two textures together and of none by itself; null where nothing does. */

@@ -11,7 +11,7 @@ import kotlin.math.acos
 
 /** Where one number of a light comes from: a component of a uniform, or always the same. */
 internal class NumberRef(
-    private val name: String?,
+    val name: String?,
     private val index: Int,
     private val constant: Double,
 ) {
@@ -91,6 +91,8 @@ internal class LightRefs(
         val isReversed: Boolean,
     )
 
+    private val fadedBy = k.mapNotNull { it.name }.toSet()
+
     /** The light as a draw with the uniforms [values] takes it. */
     fun light(
         values: Map<String, FloatArray>,
@@ -116,6 +118,7 @@ internal class LightRefs(
                 },
             placedBy = position.name,
             isViewed = position.isViewed,
+            fadedBy = fadedBy,
         )
     }
 

@@ -35,7 +35,7 @@ internal class Lit(
             val all =
                 probes.asSequence().mapNotNull { probe ->
                     val points = search.litPoints(probe, white).ifEmpty { return@mapNotNull null }
-                    Seen(probe, points, TextureRoles.of(probe, points, colors.flats + colors.factors))
+                    Seen(probe, points, TextureRoles.of(probe, points, colors))
                 }
             // What shines without any texture is a constant in a branch, and no light to learn from.
             val first = all.firstOrNull() ?: return Lit(probes, null)
@@ -56,7 +56,7 @@ internal class Lit(
         ): Lit? {
             if (seen.roles.diffuse != null && seen.roles.specular != null && seen.roles.untextured < APART) return null
             val matte = SharedMap.matte(seen.probe, seen.points, white, colors).ifEmpty { return null }
-            val roles = TextureRoles.of(LightProbe(box, seen.probe.slot, colors, matte = matte), seen.points, colors.flats + colors.factors)
+            val roles = TextureRoles.of(LightProbe(box, seen.probe.slot, colors, matte = matte), seen.points, colors)
             if (roles.diffuse == null || roles.specular != null) return null
             return Lit(probes.map { LightProbe(box, it.slot, colors, matte = matte) }, roles.shared())
         }

@@ -4,6 +4,10 @@ import cga.grading.findings.Check
 import cga.grading.findings.Found
 import cga.grading.findings.Mistake
 import cga.grading.rubric.spoiltBy
+import org.lwjgl.opengl.GL33C.GL_FLOAT
+import org.lwjgl.opengl.GL33C.GL_FLOAT_VEC2
+import kotlin.math.abs
+import kotlin.math.max
 
 /** All that is wrong with what a program computes. */
 internal object ProgramDeviations {
@@ -36,7 +40,7 @@ internal object ProgramDeviations {
         study: ProgramStudy,
         sent: List<Double>,
     ): List<Deviation> =
-        if (light in study.coneless.forgotten || (study.isAwake && isMadeUp(light, sent))) {
+        if (light in study.coneless.forgotten || (study.isAwake && isMadeUp(light, sent)) || isOfZeros(light, study)) {
             listOf(Deviation(Mistake.CONE_NEVER_SENT, light.name, 0.0, 1.0))
         } else {
             ConeDeviations.of(light, sent, lengths(light, study))
@@ -56,6 +60,17 @@ internal object ProgramDeviations {
         light: LightModel,
         sent: List<Double>,
     ): Boolean = light.cone?.let { ConeWords.of(it.cosInner, it.cosOuter, sent) == null } == true
+
+    /** Whether [light] has a cone between two cosines of 0, as they are where nothing was sent: light before it, and none behind. */
+    private fun isOfZeros(
+        light: LightModel,
+        study: ProgramStudy,
+    ): Boolean {
+        val cone = light.cone ?: return false
+        if (cone.falloff != Falloff.HARD || max(abs(cone.cosInner), abs(cone.cosOuter)) > NONE) return false
+        val unsent = study.box.program.uniforms.filter { !it.isSampler && study.box.values[it.name]?.all { part -> part == 0f } == true }
+        return unsent.any { it.type == GL_FLOAT || it.type == GL_FLOAT_VEC2 }
+    }
 
     /** Spotlights that were given a colour and no cone. */
     private fun silent(study: ProgramStudy): List<Deviation> =
@@ -87,15 +102,12 @@ internal object ProgramDeviations {
 
     private fun view(study: ProgramStudy): List<Deviation> {
         val scale = study.box.spaces.view?.scale() ?: return emptyList()
-        return if (kotlin.math.abs(scale - 1) <
-            1e-3
-        ) {
-            emptyList()
-        } else {
-            listOf(Deviation(Mistake.VIEW_SCALED, "", 0.0, kotlin.math.abs(scale - 1)))
-        }
+        val error = abs(scale - 1)
+        return if (error < NONE) emptyList() else listOf(Deviation(Mistake.VIEW_SCALED, "", 0.0, error))
     }
 
+    /** Of a cosine, or of a length of 1. */
+    private const val NONE = 1e-3
     private const val OVERLAP = "two vertex attributes are read from the same bytes"
     private const val PRODUCT = "the emission is multiplied with another texture"
     private const val AFTER_GAMMA = "the emission is added when the gamma has been applied already"

@@ -1,6 +1,8 @@
 package cga.grading.study
 
 import org.joml.Vector3d
+import kotlin.math.abs
+import kotlin.math.min
 
 /** What is seen of a program before its lights are studied one by one. */
 internal class Sight private constructor(
@@ -24,7 +26,11 @@ internal class Sight private constructor(
             val usual = seen(clear, surface, suns)
             // What a shader adds to normals (the translation of a 4 × 4 matrix) is nothing beside long ones.
             val long = if (usual.isOdd) seen(clear.withNormalLength(LONG), surface, suns) else usual
-            return if (long.isOdd) usual to false else long to (long !== usual)
+            if (!long.isOdd) return long to (long !== usual)
+            // Cosines with normals that the model's scale made longer are cut off at 1.
+            val scale = clear.spaces.modelView.scale()
+            val unscaled = if (abs(scale - 1) > EVEN) seen(clear.withNormalLength(min(scale, 1 / scale)), surface, suns) else usual
+            return (if (unscaled.isOdd) usual else unscaled) to false
         }
 
         private fun seen(
@@ -39,6 +45,7 @@ internal class Sight private constructor(
             return Sight(look, colors, Lit.of(look.box, colors, look.search))
         }
 
+        private const val EVEN = 1e-3
         private const val LONG = 1048576.0
     }
 }

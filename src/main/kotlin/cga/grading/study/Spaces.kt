@@ -92,12 +92,14 @@ internal class Spaces(
             modelView: Matrix4d,
             others: List<Matrix4d>,
         ): Spaces {
-            for (view in others) {
-                for (model in others) {
+            // The way back is sent for the normals, and is a place as well.
+            val ways = others.filterNot { isNear(it.mul(modelView, Matrix4d()), Matrix4d()) }
+            for (view in ways) {
+                for (model in ways) {
                     if (isNear(view.mul(model, Matrix4d()), modelView)) return Spaces(projection, view, model, modelView)
                 }
             }
-            val view = others.firstOrNull { isPlace(it) && it.invert(Matrix4d()).mul(modelView).isEven() && !isNear(it, modelView) }
+            val view = ways.firstOrNull { isPlace(it) && it.invert(Matrix4d()).mul(modelView).isEven() && !isNear(it, modelView) }
             return Spaces(projection, view, view?.invert(Matrix4d())?.mul(modelView), modelView)
         }
 

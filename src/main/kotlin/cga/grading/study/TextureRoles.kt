@@ -10,6 +10,7 @@ import kotlin.random.Random
  * What each sampler is for, by the name of its uniform; null for a role that none has.
  *
  * @param multiplied whether light only shows where the emission texture is not black.
+ * @param inLights whether the emission texture only shows by lights, beside the other textures and whatever the normal.
  * @param peak the term that lights are measured by.
  * @param powers what the colours of the diffuse and of the specular texture are raised to, by sampler, as far as known.
  * @param untextured whether a light shows with all textures black, relative to how it shows with white ones.
@@ -22,6 +23,7 @@ internal class TextureRoles(
     val untextured: Double,
     val peak: Peak = Peak.DIFFUSE,
     val powers: Map<String, Double> = emptyMap(),
+    val inLights: Boolean = false,
 ) {
     /** Texture colours that leave only the diffuse term. */
     val onlyDiffuse: Map<String, Double> = listOfNotNull(diffuse, emission.takeIf { multiplied }).associateWith { 1.0 }
@@ -33,17 +35,17 @@ internal class TextureRoles(
     val isShared: Boolean get() = diffuse != null && diffuse == specular
 
     /** These with the other's work for the diffuse and the specular texture: the exponent is at the cosine of the diffuse term. */
-    fun exchanged(): TextureRoles = TextureRoles(emission, specular, diffuse, multiplied, untextured, Peak.POWER, powers)
+    fun exchanged(): TextureRoles = TextureRoles(emission, specular, diffuse, multiplied, untextured, Peak.POWER, powers, inLights)
 
     /** These with the diffuse texture for the specular term as well. */
-    fun shared(): TextureRoles = TextureRoles(emission, diffuse, diffuse, multiplied, untextured, peak, powers)
+    fun shared(): TextureRoles = TextureRoles(emission, diffuse, diffuse, multiplied, untextured, peak, powers, inLights)
 
     companion object {
         /** Finds the roles from one light, which shines on [points]. */
         fun of(
             probe: LightProbe,
             points: List<Vector3d>,
-            flats: List<ActiveUniform>,
+            colors: ColorSlots,
         ): TextureRoles {
             val samplers = probe.box.program.samplers.map { it.name }
             val all = samplers.associateWith { 1.0 }
@@ -66,9 +68,11 @@ internal class TextureRoles(
             } else {
                 Peak.SPECULAR
             }
-            val specular = (linearity.keys - setOfNotNull(diffuse)).maxByOrNull { linearity.getValue(it) }
-            val glowing = glowing(probe.box, samples, samplers, flats)
-            val emission = multiplier ?: glowing.firstOrNull { it != diffuse && it != specular }
+            val others = linearity.keys - setOfNotNull(diffuse)
+            val glowing = glowing(probe.box, samples, samplers, colors)
+            val lit = others.singleOrNull { isEven(probe, points, it) }?.takeIf { multiplier == null && glowing.none(others::contains) }
+            val specular = (others - setOfNotNull(lit)).maxByOrNull { linearity.getValue(it) }
+            val emission = multiplier ?: lit ?: glowing.firstOrNull { it != diffuse && it != specular }
             val powers =
                 listOfNotNull(diffuse, specular).mapNotNull { name -> exponent(probe, samples, always, name)?.let { name to it } }.toMap()
             return TextureRoles(
@@ -78,7 +82,7 @@ internal class TextureRoles(
                         samples,
                         emptyMap(),
                     ).largest() / full,
-                peak, powers,
+                peak, powers, lit != null,
             )
         }
 
@@ -87,13 +91,12 @@ internal class TextureRoles(
             box: BlackBox,
             samples: List<Sample>,
             samplers: List<String>,
-            flats: List<ActiveUniform>,
+            colors: ColorSlots,
         ): List<String> {
-            val dark = Setting().withColors(flats, 1.0)
+            val dark = Setting().withColors(colors.lights, 0.0).withColors(colors.flats + colors.factors, 1.0)
             val black = box.shade(samples, dark)
             return samplers.filter { name ->
                 val white = box.shade(samples, dark.withTexels(mapOf(name to 1.0)))
-                // Lights shine on all that a light's texture colours; emission is the same for every normal.
                 val effect = DoubleArray(white.size) { white[it] - black[it] }
                 effect.largest() > DEAD && white.isNotEmpty()
             }
@@ -121,6 +124,17 @@ internal class TextureRoles(
                 sum += abs(value) + expected
             }
             return if (sum > 0) difference / sum else 1.0
+        }
+
+        /** Whether the light that shows by the texture [name] alone is the same for all normals. */
+        private fun isEven(
+            probe: LightProbe,
+            points: List<Vector3d>,
+            name: String,
+        ): Boolean = points.all { point ->
+            val shades = probe.shade(samples(listOf(point)), mapOf(name to 1.0))
+            // A highlight may be met by none of the normals.
+            shades.largest() > TINY && shades.max() - shades.min() <= EVEN * shades.largest()
         }
 
         /** The power of the texture [name] that light is multiplied by; null where the texture does more than that. */

@@ -27,8 +27,31 @@ internal object Play {
     /** Where the cursor is before the first event: a game that asks at its start sees no jump at that event. */
     val start: Cursor = Moment.entries.firstNotNullOf { it.mouse }
 
-    fun acts(frequency: Double): Iterator<Act> =
+    /** What happens [frequency] times a second; [asked] are the keys that the game has asked for up to then. */
+    fun acts(
+        frequency: Double,
+        asked: Set<Int> = emptySet(),
+    ): Iterator<Act> =
         iterator {
+            // When the first of them goes down, the game has long been asking.
+            val keys by lazy { if (GLFW_KEY_W !in asked && GLFW_KEY_UP in asked) ARROWS else LETTERS }
+
+            fun press(
+                key: Key,
+                isDown: Boolean,
+                held: Set<Key>,
+            ) = Act.Press(
+                if (key ==
+                    Key.LEFT_ALT
+                ) {
+                    GLFW_KEY_LEFT_ALT
+                } else {
+                    keys.getValue(key)
+                },
+                isDown,
+                if (Key.LEFT_ALT in held) GLFW_MOD_ALT else 0,
+            )
+
             var held = emptySet<Key>()
             var seconds = 0.0
             var updates = 0L
@@ -46,18 +69,8 @@ internal object Play {
             for (key in held) yield(press(key, false, emptySet()))
         }
 
-    private fun press(
-        key: Key,
-        isDown: Boolean,
-        held: Set<Key>,
-    ) = Act.Press(code(key), isDown, if (Key.LEFT_ALT in held) GLFW_MOD_ALT else 0)
-
-    private fun code(key: Key): Int =
-        when (key) {
-            Key.FORWARD -> GLFW_KEY_W
-            Key.BACK -> GLFW_KEY_S
-            Key.LEFT -> GLFW_KEY_A
-            Key.RIGHT -> GLFW_KEY_D
-            Key.LEFT_ALT -> GLFW_KEY_LEFT_ALT
-        }
+    /** The keys of the sheet; instead of them the [ARROWS] are pressed where a game asks for those only. */
+    private val LETTERS = mapOf(Key.FORWARD to GLFW_KEY_W, Key.BACK to GLFW_KEY_S, Key.LEFT to GLFW_KEY_A, Key.RIGHT to GLFW_KEY_D)
+    private val ARROWS =
+        mapOf(Key.FORWARD to GLFW_KEY_UP, Key.BACK to GLFW_KEY_DOWN, Key.LEFT to GLFW_KEY_LEFT, Key.RIGHT to GLFW_KEY_RIGHT)
 }

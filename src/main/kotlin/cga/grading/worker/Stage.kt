@@ -29,6 +29,7 @@ public class Stage(
     private val interception: Interception
     private val acts: Iterator<Act>
     private val held = HashSet<Int>()
+    private val asked = HashSet<Int>()
     private var isRendering = false
     private var updates = 0L
     private var lastPicture = 0L
@@ -79,7 +80,7 @@ public class Stage(
             }
         observer = recorder::observe
         if (offscreen.version != "$major.$minor") tape.event(EventKind.NOT_CAPTURED, "OpenGL $major.$minor: ${offscreen.version} is given")
-        acts = Play.acts(frequency)
+        acts = Play.acts(frequency, asked)
         ScriptedCalls.time = { time }
         ScriptedCalls.isHeld = ::isHeld
         glfwSetCursorPos(window, cursorX, cursorY)
@@ -100,7 +101,10 @@ public class Stage(
     }
 
     /** Whether [key] is held down. */
-    public fun isHeld(key: Int): Boolean = key in held
+    public fun isHeld(key: Int): Boolean {
+        asked += key
+        return key in held
+    }
 
     /** No more after what is being done now. */
     public fun quit() {

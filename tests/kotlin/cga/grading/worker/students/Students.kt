@@ -2,6 +2,9 @@ package cga.grading.worker.students
 
 import cga.exercise.game.Game
 import org.lwjgl.BufferUtils
+import org.lwjgl.glfw.GLFW.GLFW_KEY_LEFT
+import org.lwjgl.glfw.GLFW.GLFW_KEY_RIGHT
+import org.lwjgl.glfw.GLFW.GLFW_KEY_UP
 import org.lwjgl.glfw.GLFW.GLFW_KEY_W
 import org.lwjgl.glfw.GLFW.glfwGetCurrentContext
 import org.lwjgl.glfw.GLFW.glfwGetKey
@@ -78,6 +81,29 @@ internal class Watcher : Painter() {
 
         @JvmStatic
         fun main(args: Array<String>): Unit = Watcher().run()
+    }
+}
+
+/** Drives by the arrow keys, and by no others. */
+internal class Rider : Painter() {
+    private val keys = listOf(GLFW_KEY_UP, GLFW_KEY_LEFT, GLFW_KEY_RIGHT)
+    private var held = emptyList<Boolean>()
+
+    override fun update(
+        dt: Float,
+        t: Float,
+    ) {
+        held = keys.map(::getKeyState)
+    }
+
+    override fun paint() {
+        super.paint()
+        say("frame $frame up, left, right $held")
+    }
+
+    companion object {
+        @JvmStatic
+        fun main(args: Array<String>): Unit = Rider().run()
     }
 }
 

@@ -40,6 +40,18 @@ class LightMistakesTest {
     }
 
     @Test
+    fun `lights that are sorted by their distance from the camera in each picture`() {
+        val verdict = object : Rig() {
+            override fun lights(moment: Moment, t: Double, view: Matrix4d): List<ObservedLight> {
+                val (fixed, further) = super.lights(moment, t, view).partition { light -> corners.none { it.name == light.name } }
+                val sorted = further.sortedBy { it.position.length() }
+                return fixed + sorted.mapIndexed { i, it -> ObservedLight(further[i].name, it.position, it.color, it.k, it.spot) }
+            }
+        }.verdict()
+        assertEquals(emptyList<Mistake>(), verdict.mistakes.map { it.mistake }, verdict.text())
+    }
+
+    @Test
     fun `of lights all around the motorcycle none is its own, one that is much nearer is`() {
         fun verdict(near: Float): SceneVerdict {
             val places = listOf(Vector3f(5f, 1f, 5f), Vector3f(-5f, 1f, 5f), Vector3f(near, 1f, -near))

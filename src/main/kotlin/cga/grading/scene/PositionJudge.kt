@@ -91,6 +91,9 @@ internal class PositionJudge(
         val places = shots.mapNotNull { shot -> light.at(shot.moment)?.let { shot.moment to shot.world(it) } }
         if (places.size < 3) return false
         val way = MOVED * max(1.0, places[0].second.length())
+        val homes = lights.mapNotNull { other -> other.at(shots[0].moment)?.let(shots[0]::world) }
+        // Lights that are sorted by their distance from the camera take each other's turns.
+        if (places.all { (_, place) -> homes.any { it.distance(place) <= way } }) return false
         val (moved, still) = places.zipWithNext().partition { (_, now) -> now.first.mouse != null }
         return moved.any { (a, b) -> a.second.distance(b.second) > way } && still.all { (a, b) -> a.second.distance(b.second) <= way }
     }

@@ -4,6 +4,7 @@ import cga.exercise.components.geometry.Transformable
 import cga.grading.capture.Key
 import cga.grading.capture.Moment
 import cga.grading.findings.Check
+import cga.grading.findings.Mistake
 import org.joml.Matrix4d
 import org.joml.Matrix4f
 import org.joml.Vector3d
@@ -310,8 +311,16 @@ class FreedomsTest {
         assertTrue((place.error ?: 0.0) > 0.01, far.text())
     }
 
+    @Test
+    fun `a headlight that swings is judged where it is straight, in a wrong space as well`() {
+        val verdict = object : Fork(back = 1000.0, lever = 0f) {
+            override fun direction(lamp: Lamp, view: Matrix4d) = worldDirection(lamp)
+        }.verdict()
+        assertEquals(listOf(Mistake.SPOT_DIRECTION_WORLD), verdict.mistakes.map { it.mistake }, verdict.text())
+    }
+
     /** A headlight on a fork: it turns aside by up to 0.3 radians while a key steers, then comes [back] at so many radians a second. */
-    private class Fork(
+    private open class Fork(
         private val back: Double,
         private val lever: Float = 0.6f,
     ) : Rig() {

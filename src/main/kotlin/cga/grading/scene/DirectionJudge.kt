@@ -1,5 +1,6 @@
 package cga.grading.scene
 
+import cga.grading.capture.Key
 import cga.grading.capture.Moment
 import cga.grading.findings.Check
 import cga.grading.findings.Mistake
@@ -53,12 +54,9 @@ internal class DirectionJudge(
             }
         if (samples.isEmpty()) return noDirection(spot)
         val always = aims(samples)
-        // A headlight on the handlebar turns with it while a key steers.
-        val aside = if (holding(always) == null) Handlebar.aside(spot, timeline) else emptySet()
-        val straight = aims(samples.filter { it.shot.moment !in aside })
-        val isSteered = aside.isNotEmpty() && holding(straight) != null
-        if (isSteered) book.note("The headlight ${spot.name} turns aside while the motorcycle is steered.")
-        val aims = if (isSteered) straight else always
+        val straight = if (holding(always) == null) straight(spot, samples) else null
+        if (straight != null) book.note("The headlight ${spot.name} turns aside while the motorcycle is steered.")
+        val aims = straight ?: always
         val aim = holding(aims)
         val child = aims.getValue(Aim.CHILD)
         when {
@@ -74,6 +72,15 @@ internal class DirectionJudge(
             }
             else -> wrongSpace(spot, aim, aims)
         }
+    }
+
+    /** What holds of a headlight on the handlebar, which turns with it, while it is straight: it may be in a wrong space besides. */
+    private fun straight(spot: LightTrack, samples: List<Sample>): Map<Aim, Aimed>? {
+        val steered = Moment.entries.filter { Key.LEFT in it.keys || Key.RIGHT in it.keys }.toSet()
+        return listOf(Handlebar.aside(spot, timeline), steered)
+            .filter { it.isNotEmpty() }
+            .map { aside -> aims(samples.filter { it.shot.moment !in aside }) }
+            .find { holding(it) != null }
     }
 
     /** Whether [direction], the same numbers in every picture, pointed forwards and down as the first camera saw it, and up by itself. */

@@ -7,11 +7,13 @@ import org.joml.Vector3dc
  * Measures where a spotlight points, draw by draw, where no uniform is its direction: it may be in a matrix, in angles, in the point that
  * it is aimed at.
  *
+ * @param path that its normals take.
  * @param texels that leave only its diffuse term.
  */
 internal class AxisMeter private constructor(
     private val study: ProgramStudy,
     private val slot: ActiveUniform,
+    private val path: NormalPath,
     private val texels: Map<String, Double>,
     private val unclamped: Boolean,
 ) {
@@ -35,7 +37,7 @@ internal class AxisMeter private constructor(
         position: Vector3dc,
     ): Vector3d? {
         val probe = LightProbe(study.box.drawn(spaces, values), slot, study.colors)
-        val amplitudes = Amplitudes(probe, Placement.inView(spaces, position), texels, unclamped)
+        val amplitudes = Amplitudes(probe, Placement.inView(spaces, position, path), texels, unclamped)
         return ConeFit.of(amplitudes, emptyList(), emptyList())?.takeIf { it.residual < SOUND }?.axis?.let { Vector3d(it) }
     }
 
@@ -46,9 +48,10 @@ internal class AxisMeter private constructor(
             study: ProgramStudy,
         ): AxisMeter? {
             val roles = study.roles?.takeIf { it.diffuse != null && it.peak == Peak.DIFFUSE } ?: return null
-            val placement = light.placement?.takeIf { it.isConsistent && !it.isFlipped } ?: return null
+            val placement = light.placement?.takeIf { (it.isConsistent || it.space == Space.VIEW) && !it.isFlipped } ?: return null
             if (light.cone == null || light.otherDirection || placement.error > Placement.ACCEPTED) return null
-            return AxisMeter(study, light.probe.slot, roles.onlyDiffuse, light.unclamped)
+            val path = if (placement.space == Space.VIEW) placement.path else NormalPath.VIEW
+            return AxisMeter(study, light.probe.slot, path, roles.onlyDiffuse, light.unclamped)
         }
 
         private const val SOUND = 1e-2

@@ -83,11 +83,12 @@ internal class Placement(
     fun toCamera(p: Vector3dc): Vector3d = directionFromView(Vector3d(p).negate())
 
     companion object {
-        /** A light at [light] in view space, where everything is as it should be. */
+        /** A light at [light] in view space, where everything is as it should be but perhaps the normals' [path]. */
         fun inView(
             spaces: Spaces,
             light: Vector3dc,
-        ): Placement = Placement(spaces, Space.VIEW, NormalPath.VIEW, light, isFlipped = false, error = 0.0)
+            path: NormalPath = NormalPath.VIEW,
+        ): Placement = Placement(spaces, Space.VIEW, path, light, isFlipped = false, error = 0.0)
 
         /** The placement that explains [gradients] with the least error, right ones first; null where there are too few. */
         fun of(

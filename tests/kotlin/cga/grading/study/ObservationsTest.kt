@@ -44,4 +44,26 @@ class ObservationsTest {
     fun `what fills the picture, the last that is drawn, is how the lights are seen`() {
         assertTrue(isSeenFrom(above, observed(listOf(0, 0, 1280, 720))))
     }
+
+    @Test
+    fun `a trail without light, drawn last, does not hide the lights`() {
+        val plain = SceneCapture.of(CourseShaders.VERTEX, CourseShaders.FRAGMENT, scene)
+        val trail = SceneCapture.of(CourseShaders.VERTEX, TRAIL, scene)
+        val frame = plain.frames.single()
+        val both = CapturedFrame(frame.moment, frame.time, draws(plain) + draws(trail).last().copied(program = 1), null)
+        val capture = with(plain) { Capture(width, height, programs + trail.programs, buffers, textures, listOf(both), events) }
+        val seen = OffscreenContext.open().use { ShaderStudy.of(capture).use { it.observe(both) ?: error("nothing was observed") } }
+        assertTrue(isSeenFrom(Matrix4d(scene.view), seen))
+    }
+
+    private companion object {
+        val TRAIL =
+            """
+            #version 330 core
+            out vec4 color;
+            void main() {
+                color = vec4(0.2, 0.5, 0.9, 1.0);
+            }
+            """.trimIndent()
+    }
 }

@@ -174,5 +174,6 @@ internal fun CapturedDraw.copied(
     attributes: List<CapturedAttribute> = this.attributes,
     uniforms: List<UniformValue> = this.uniforms,
     textures: Map<Int, Int> = this.textures,
+    program: Int = this.program,
 ): CapturedDraw =
     CapturedDraw(program, mode, count, attributes, indices, indexType, first, baseVertex, instances, uniforms, textures, state)

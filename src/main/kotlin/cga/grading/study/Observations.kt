@@ -34,7 +34,8 @@ internal class Observations(
     /** What [frame] shows; null where none of its draws is understood. */
     fun of(frame: CapturedFrame): ObservedFrame? {
         val seen = withoutInsets(frame.draws.mapNotNull(::look))
-        val last = seen.lastOrNull() ?: return null
+        // What no light falls on, sparks or a trail, may be drawn after all else.
+        val last = seen.lastOrNull { it.study.lights.isNotEmpty() } ?: seen.lastOrNull() ?: return null
         val view = seen.firstNotNullOfOrNull { it.spaces.view } ?: groundView(seen)
         val passes = LightPasses.of(seen.map { it.draw to model(it, view) })
         val added = if (passes.size > 1) passes.map { lights(seen[it.last()], view) } else null

@@ -1,0 +1,75 @@
+package cga.grading.starter
+
+import cga.framework.Home
+import cga.framework.InputError
+import java.nio.file.Files
+import java.nio.file.Path
+import kotlin.io.path.extension
+import kotlin.io.path.invariantSeparatorsPathString
+import kotlin.io.path.isDirectory
+import kotlin.io.path.relativeTo
+import kotlin.io.path.walk
+
+/** The files of the starter: the solution's own, cut, and the few that make a project of them. Throws [InputError] where one is missing. */
+public object StarterFiles {
+    /** Name of the file that tells a starter from any other project. */
+    public const val MARKER: String = ".cga-starter"
+
+    /** What it begins with: the number changes when a filled-in starter must be graded otherwise. */
+    public const val VERSION_LINE: String = "cga-starter 1"
+
+    /** Where the sources lie, and what lies before their packages in our project and in the starter. */
+    private val SOURCES = listOf("$OURS/cga/framework", "$OURS/cga/exercise", "shaders")
+    private const val OURS = "src/scene/kotlin"
+    private const val THEIRS = "src/main/kotlin"
+
+    // The window's inspector shows the factors of the formula, which are the exercise.
+    private const val INSPECTOR = "shaders/inspect/"
+    private val SOURCE_TYPES = setOf("kt", "vert", "frag")
+    private val MODEL_TYPES = setOf("obj", "mtl", "png")
+
+    /** What is copied as it is from the top of the project: where a starter is made these must be there. */
+    internal val COPIES: List<String> =
+        listOf("LICENSE", "gradlew", "gradlew.bat", "gradle/libs.versions.toml", "gradle/wrapper/gradle-wrapper.jar") +
+            "gradle/wrapper/gradle-wrapper.properties"
+
+    /** Written for the starter alone; they lie beside this class. */
+    private val OWN =
+        mapOf(
+            "README.md" to "README.md",
+            "build.gradle.kts" to "build.gradle.kts",
+            "settings.gradle.kts" to "settings.gradle.kts",
+            "$THEIRS/cga/exercise/Main.kt" to "Main.kt",
+            ".gitignore" to "gitignore",
+        )
+
+    /** The sources that students write in or read, by their path in the starter. */
+    public fun templates(): Map<String, Template> =
+        SOURCES.flatMap { below(it, SOURCE_TYPES) }.associate { path ->
+            val template = Template(path, Home.read(path, "source").decodeToString().replace("\r\n", "\n"))
+            path.replace(Regex("^$OURS/"), "$THEIRS/") to template
+        }
+
+    /** Every file of the starter, by its path. */
+    public fun all(): Map<String, ByteArray> {
+        val sources = templates().mapValues { (_, template) -> template.starter.encodeToByteArray() }
+        val copies = (COPIES + below("assets", MODEL_TYPES)).associateWith { Home.read(it, "project") }
+        return sources + copies + OWN.mapValues { own(it.value) } + (MARKER to "$VERSION_LINE\n".encodeToByteArray())
+    }
+
+    private fun below(
+        folder: String,
+        types: Set<String>,
+    ): List<String> {
+        val home = Home.resolve("")
+        val start = Home.resolve(folder)
+        if (!start.isDirectory()) throw InputError("the folder $start does not exist: the starter is made where the project's sources are.")
+        val files = start.walk().filter { it.extension in types && !Files.isHidden(it) }.map { it.name(home) }
+        return files.filterNot { it.startsWith(INSPECTOR) }.sorted().toList()
+    }
+
+    private fun Path.name(home: Path) = toAbsolutePath().relativeTo(home.toAbsolutePath()).invariantSeparatorsPathString
+
+    private fun own(name: String): ByteArray =
+        StarterFiles::class.java.getResourceAsStream(name)?.use { it.readBytes() } ?: error("the program lacks its file $name")
+}

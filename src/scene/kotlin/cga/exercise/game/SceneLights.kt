@@ -1,0 +1,101 @@
+package cga.exercise.game
+
+import cga.exercise.components.geometry.Transformable
+import cga.exercise.components.light.PointLight
+import cga.exercise.components.light.SpotLight
+import cga.exercise.components.shader.ShaderProgram
+import org.joml.Matrix4dc
+import org.joml.Vector3f
+import org.joml.Vector3fc
+
+/** The lights of the scene, and which of them shine at which [Step]. */
+public class SceneLights(motorcycle: Transformable) {
+    // solution 4.2.2: a point light, child of the motorcycle, high enough to light the ground
+    // solution 4.3.2: a spotlight at the front of the motorcycle, turned down a little
+    // solution 4.6: more point lights of different colours, for example in the corners of the ground
+    private val pointLight = PointLight(Vector3f(0f, 1.6f, 0f), WHITE).apply { parent = motorcycle }
+    private val spotLight =
+        SpotLight(Vector3f(0f, 0.9f, -1.6f), Vector3f(5f, 5f, 4.5f), radians(7f), radians(24f)).apply {
+            rotateLocal(radians(-4f), 0f, 0f)
+            parent = motorcycle
+        }
+    private val cornerLights =
+        listOf(
+            corner(-1, -1, Vector3f(16f, 1f, 0.5f)),
+            corner(1, -1, Vector3f(0.5f, 2f, 16f)),
+            corner(-1, 1, Vector3f(14f, 9f, 0.5f)),
+            corner(1, 1, Vector3f(13f, 0.5f, 10f)),
+        )
+    private val attenuated = (cornerLights + pointLight + spotLight).associateWith { Vector3f(it.attenuation) }
+    // end of solution
+
+    /** The point lights that shine, and the spotlights; changed by [switchTo]. */
+    public var points: List<PointLight> = emptyList()
+        private set
+    public var spots: List<SpotLight> = emptyList()
+        private set
+
+    public fun switchTo(step: Step) {
+        points = points(step)
+        spots = spots(step)
+        // solution 4.3.4: no attenuation, which is (1, 0, 0), before its step
+        for ((light, k) in attenuated) light.attenuation = if (step.attenuation) k else CONSTANT
+        // end of solution
+    }
+
+    /** The colour of the motorcycle's own light. */
+    public fun setMotorcycleColor(color: Vector3fc) {
+        // solution 4.4: the point light of the motorcycle has its colour
+        pointLight.lightColor = color
+        // end of solution
+    }
+
+    /** How many lights shine at [step], by the names of the shaders' constants. */
+    public fun counts(step: Step): Map<String, Int> = mapOf("POINT_LIGHTS" to points(step).size, "SPOT_LIGHTS" to spots(step).size)
+
+    /** Sends the lights that shine to the program in use. */
+    public fun bind(
+        shaderProgram: ShaderProgram,
+        view: Matrix4dc,
+    ) {
+        // solution 4.2.2: bind the point lights, by their names
+        // solution 4.3.2: bind the spotlights, by theirs
+        for (i in points.indices) points[i].bind(shaderProgram, POINT_NAMES[i], view)
+        for (i in spots.indices) spots[i].bind(shaderProgram, SPOT_NAMES[i], view)
+        // end of solution
+    }
+
+    // solution 4.2.2: the point lights that shine at this step; 4.6: with the further ones
+    // instead: private fun points(step: Step): List<PointLight> = emptyList()
+    private fun points(step: Step): List<PointLight> =
+        listOfNotNull(pointLight.takeIf { step.pointLight }) + if (step.cornerLights) cornerLights else emptyList()
+    // end of solution
+
+    // solution 4.3.2: the spotlights that shine at this step
+    // instead: private fun spots(step: Step): List<SpotLight> = emptyList()
+    private fun spots(step: Step): List<SpotLight> = listOfNotNull(spotLight.takeIf { step.spotLight })
+    // end of solution
+
+    private companion object {
+        // solution
+        const val CORNER = 16f
+
+        // end of solution
+        val WHITE: Vector3fc = Vector3f(1f)
+        val CONSTANT: Vector3fc = Vector3f(1f, 0f, 0f)
+
+        // As many as a driver surely has varyings for.
+        val POINT_NAMES = Array(8) { "pointLight[$it]" }
+        val SPOT_NAMES = Array(2) { "spotLight[$it]" }
+
+        fun radians(degrees: Float): Float = Math.toRadians(degrees.toDouble()).toFloat()
+
+        // solution
+        fun corner(
+            x: Int,
+            z: Int,
+            color: Vector3fc,
+        ) = PointLight(Vector3f(x * CORNER, 1.2f, z * CORNER), color)
+        // end of solution
+    }
+}

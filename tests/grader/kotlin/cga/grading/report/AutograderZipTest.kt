@@ -1,0 +1,143 @@
+package cga.grading.report
+
+import cga.framework.InputError
+import cga.grading.rubric.Rubric
+import cga.grading.starter.StarterFiles
+import cga.testing.projectRoot
+import kotlinx.serialization.json.Json
+import kotlinx.serialization.json.jsonObject
+import org.junit.jupiter.api.Assertions.assertEquals
+import org.junit.jupiter.api.Assertions.assertFalse
+import org.junit.jupiter.api.Assertions.assertTrue
+import org.junit.jupiter.api.Assumptions.assumeTrue
+import org.junit.jupiter.api.Test
+import org.junit.jupiter.api.assertThrows
+import org.junit.jupiter.api.io.TempDir
+import java.nio.file.FileSystems
+import java.nio.file.Files
+import java.nio.file.Path
+import java.nio.file.attribute.PosixFilePermission
+import java.util.concurrent.TimeUnit.SECONDS
+import kotlin.io.path.copyTo
+import kotlin.io.path.createDirectories
+import kotlin.io.path.createParentDirectories
+import kotlin.io.path.exists
+import kotlin.io.path.isRegularFile
+import kotlin.io.path.readText
+import kotlin.io.path.walk
+import kotlin.io.path.writeText
+
+class AutograderZipTest {
+    @TempDir
+    lateinit var folder: Path
+
+    private val home get() = folder.resolve("home")
+    private val root get() = folder.resolve("autograder")
+
+    /** A home with a program that notes its arguments and does as [script] says. */
+    private fun home(script: String = "exit 0") {
+        val files =
+            mapOf(
+                "cga" to "#!/bin/sh\necho \"$@\" >\"$folder/arguments\"\n$script\n",
+                "build/cga/lib/cga.jar" to "", "build/cga/lib/lwjgl-natives-linux.jar" to "",
+                "build/cga/lib/lwjgl-natives-windows.jar" to "",
+                "build/cga/stamp" to "1", "build/cga/build.log" to "", "src/main/A.kt" to "", "src/.secret" to "", "shaders/a.glsl" to "",
+                "tests/A.kt" to "", ".git/config" to "",
+            ) + StarterFiles.COPIES.associateWith { "" }
+        for ((name, text) in files) home.resolve(name).createParentDirectories().writeText(text)
+        home.resolve("cga").toFile().setExecutable(true)
+    }
+
+    private fun zip(
+        config: AutograderConfig = AutograderConfig(
+            Language.GERMAN,
+            null,
+            null,
+            false,
+        ),
+    ) = AutograderZip.write(home, folder.resolve("zip"), config)
+
+    /** Unpacks [zip] where Gradescope puts it, runs it on a submission, and returns results.json. */
+    private fun run(zip: Path): String {
+        FileSystems.newFileSystem(zip, mapOf("enablePosixFileAttributes" to "true")).use { files ->
+            for (file in files.getPath("/").walk().filter { it.isRegularFile() }) {
+                val target = root.resolve("source").resolve("$file".drop(1)).createParentDirectories()
+                file.copyTo(target, overwrite = true)
+                Files.setPosixFilePermissions(target, Files.getPosixFilePermissions(file))
+            }
+        }
+        root.resolve("submission").createDirectories()
+        val process = ProcessBuilder(
+            "${root.resolve("source/run_autograder")}",
+        ).redirectErrorStream(true).redirectOutput(folder.resolve("log").toFile())
+        process.environment()["AUTOGRADER_ROOT"] = "$root"
+        val started = process.start()
+        assertTrue(started.waitFor(30, SECONDS))
+        assertEquals(0, started.exitValue()) { folder.resolve("log").readText() }
+        return root.resolve("results/results.json").readText()
+    }
+
+    @Test
+    fun `the zip holds the built program and nothing private`() {
+        home()
+        FileSystems.newFileSystem(zip(), mapOf("enablePosixFileAttributes" to "true")).use { files ->
+            val names = files.getPath("/").walk().filter { it.isRegularFile() }.map { "$it".drop(1) }.toSet()
+            val program =
+                listOf("cga", "build/cga/lib/cga.jar", "build/cga/lib/lwjgl-natives-linux.jar", "build/cga/stamp") +
+                    listOf("src/main/A.kt", "shaders/a.glsl") + StarterFiles.COPIES
+            assertEquals(program.map { "cga/$it" }.toSet() + listOf("setup.sh", "run_autograder", "config.sh"), names)
+            for (name in listOf("setup.sh", "run_autograder", "cga/cga")) {
+                assertTrue(PosixFilePermission.OWNER_EXECUTE in Files.getPosixFilePermissions(files.getPath("/$name"))) { name }
+            }
+        }
+    }
+
+    @Test
+    fun `it grades the submission as the instructor chose`() {
+        home("for last; do [ \"\$previous\" = --gradescope ] && echo '{\"score\": 5}' >\"\$last\"; previous=\$last; done")
+        assertEquals("{\"score\": 5}\n", run(zip()))
+        val arguments = folder.resolve("arguments").readText()
+        assertTrue(
+            "--lang de" in arguments && "grade $root/submission" in arguments && "--gradescope $root/results/results.json" in arguments,
+        ) {
+            arguments
+        }
+        assertFalse("--unsafe-no-sandbox" in arguments || "--rubric" in arguments || "--edition" in arguments) { arguments }
+        run(zip(AutograderConfig(Language.ENGLISH, "2022", Rubrics.bytes, unsafeNoSandbox = true)))
+        val chosen = folder.resolve("arguments").readText()
+        for (option in listOf("--lang en", "--edition 2022", "--rubric $root/source/rubric.json", "--unsafe-no-sandbox")) {
+            assertTrue(option in chosen) { chosen }
+        }
+        assertTrue(root.resolve("source/rubric.json").exists())
+    }
+
+    private object Rubrics {
+        val bytes = Rubric.defaultBytes()
+    }
+
+    @Test
+    fun `a grader that does not start leaves valid results that blame no student`() {
+        home("exit 7")
+        root.resolve("results").createDirectories().resolve("results.json").writeText("of the one before")
+        val results = Json.parseToJsonElement(run(zip())).jsonObject
+        assertEquals("0", "${results["score"]}")
+        assertTrue("not the fault of your submission" in "${results["output"]}" && "7" in "${results["output"]}")
+    }
+
+    @Test
+    fun `without a built program it is refused`() {
+        home.createDirectories()
+        assertTrue("./cga" in assertThrows<InputError> { zip() }.message.orEmpty())
+    }
+
+    @Test
+    fun `shellcheck finds nothing in the scripts`() {
+        val found = System.getenv("PATH").split(':').any { Path.of(it, "shellcheck").exists() }
+        assumeTrue(found || System.getenv("CI") == "true", "needs shellcheck: apt-get install shellcheck")
+        val scripts =
+            listOf("setup.sh", "run_autograder").map { "src/main/resources/cga/grading/report/autograder/$it" } +
+                "docs/examples/grade-array.sh"
+        val process = ProcessBuilder(listOf("shellcheck", "-x") + scripts).directory(projectRoot).inheritIO().start()
+        assertEquals(0, process.waitFor())
+    }
+}

@@ -1,0 +1,144 @@
+package cga.build
+
+import org.jetbrains.kotlin.lexer.KotlinLexer
+import org.jetbrains.kotlin.lexer.KtTokens
+import org.junit.jupiter.api.Assertions.assertEquals
+import org.junit.jupiter.api.Assertions.assertNotEquals
+import org.junit.jupiter.api.Test
+
+/** Who may know whom in the main sources (CONTRIBUTING.md says it in words), and no `!!` there. */
+class LayerTest {
+    private val mayUse =
+        mapOf(
+            "framework" to setOf(),
+            "exercise" to setOf("framework"),
+            "reference" to setOf("framework"),
+            "imaging" to setOf("framework"),
+            "grading" to setOf("imaging", "reference", "exercise", "framework"),
+            "measure" to setOf("imaging", "reference", "exercise", "framework"),
+            "inspect" to setOf("imaging", "reference", "exercise", "framework"),
+            "cli" to setOf("grading", "measure", "inspect", "imaging", "reference", "exercise", "framework"),
+        )
+
+    private val sources = kotlinFiles("src").map { Source(it.invariantSeparatorsPath, it.readText()) }
+
+    @Test
+    fun `the sources keep to their layers`() {
+        assertNotEquals(0, sources.size, "no sources found")
+        assertEquals("", sources.flatMap(::violations).joinToString("\n"))
+    }
+
+    @Test
+    fun `no packages use each other in a circle`() {
+        assertEquals("", circle(sources).joinToString(" uses "))
+    }
+
+    @Test
+    fun `a use of a higher layer is reported with its line`() {
+        assertViolations("cga.exercise.game", "import cga.grading.Check", "X.kt:2: exercise must not use cga.grading.Check")
+        assertViolations("cga.framework", "val x = cga.exercise.Scene()", "X.kt:2: framework must not use cga.exercise.Scene")
+        assertViolations("cga.imaging", "import cga.reference.shade", "X.kt:2: imaging must not use cga.reference.shade")
+        assertViolations("cga.measure", "import cga.grading.Check", "X.kt:2: measure must not use cga.grading.Check")
+        assertViolations("cga.cli", "import cga.grading.Check\nimport cga.measure.Speed\nimport cga.framework.Frame")
+    }
+
+    @Test
+    fun `OpenGL in the reference is reported`() {
+        assertViolations("cga.reference", "import org.lwjgl.opengl.GL33C.*", "X.kt:2: reference must not use org.lwjgl.opengl.GL33C")
+        assertViolations("cga.framework", "import org.lwjgl.opengl.GL33C.*")
+    }
+
+    @Test
+    fun `a package outside the layers is reported`() {
+        assertViolations("cga.misc", "val x = 1", "X.kt:1: cga.misc is in no layer; there are ${mayUse.keys}")
+    }
+
+    @Test
+    fun `a double bang is reported, but not in text or comments`() {
+        assertViolations("cga.cli", "val a = \"cga.x!! \${b(\"!!\")}\" + '!' // !!\nval c = \"\${d!!}\"", "X.kt:3: !! is for tests only")
+    }
+
+    @Test
+    fun `a circle of packages is reported`() {
+        val there = Source("A.kt", "package cga.exercise.a\nimport cga.exercise.b.B\n")
+        val back = Source("B.kt", "package cga.exercise.b\nval a = cga.exercise.a.a()\n")
+        val noWayBack = Source("B.kt", "package cga.exercise.b\nimport cga.exercise.C\n")
+        assertEquals(listOf("cga.exercise.a", "cga.exercise.b", "cga.exercise.a"), circle(listOf(there, back)))
+        val parent = Source("C.kt", "package cga.exercise\nimport cga.exercise.b.B\n")
+        assertEquals(emptyList<String>(), circle(listOf(there, noWayBack, parent)))
+    }
+
+    private fun assertViolations(packageName: String, code: String, vararg expected: String) =
+        assertEquals(expected.toList(), violations(Source("X.kt", "package $packageName\n$code\n")))
+
+    private fun violations(source: Source): List<String> {
+        val layer = layer(source.packageName)
+        val allowed = mayUse[layer] ?: return listOf("${source.name}:1: ${source.packageName} is in no layer; there are ${mayUse.keys}")
+        val forbidden = source.uses.filter { (_, name) ->
+            val isOtherLayer = layer(name) in mayUse && layer(name) != layer
+            val isOpenGl = name.startsWith("org.lwjgl.opengl")
+            (isOtherLayer && layer(name) !in allowed) || (isOpenGl && layer == "reference")
+        }
+        return forbidden.map { (line, name) -> "${source.name}:$line: $layer must not use $name" } +
+            source.doubleBangs.map { "${source.name}:$it: !! is for tests only" }
+    }
+
+    private fun layer(name: String) = name.removePrefix("cga.").substringBefore('.')
+
+    /** The packages of a circle, the first again at the end; empty where there is none. */
+    private fun circle(sources: List<Source>): List<String> {
+        val uses = packageUses(sources)
+        val free = mutableSetOf<String>()
+
+        fun circleFrom(path: List<String>): List<String>? {
+            val here = path.last()
+            if (here in free) return null
+            if (here in path.dropLast(1)) return path.dropWhile { it != here }
+            return uses.getValue(here).firstNotNullOfOrNull { circleFrom(path + it) }.also { if (it == null) free += here }
+        }
+        return uses.keys.firstNotNullOfOrNull { circleFrom(listOf(it)) }.orEmpty()
+    }
+
+    /** Which packages each package uses, but for those that it lies in or that lie in it. */
+    private fun packageUses(sources: List<Source>): Map<String, List<String>> {
+        val files = sources.groupBy { it.packageName }
+
+        fun owner(name: String) = files.keys.filter { name.startsWith("$it.") }.maxByOrNull { it.length }
+
+        fun isNested(a: String, b: String) = "$a.".startsWith("$b.") || "$b.".startsWith("$a.")
+        return files.mapValues { (self, ofSelf) ->
+            ofSelf.flatMap { it.uses }.mapNotNull { owner(it.second) }.distinct().filterNot { isNested(it, self) }
+        }
+    }
+
+    /** What a Kotlin file says outside of comments and text, by line. */
+    private class Source(val name: String, text: String) {
+        private val lines = code(text).lines()
+
+        val packageName = lines.firstOrNull { it.startsWith("package ") }?.removePrefix("package ")?.trim().orEmpty()
+
+        /** Names of ours and of LWJGL with the lines that they stand on, imported or written out. */
+        val uses: List<Pair<Int, String>> =
+            lines.withIndex().filter { !it.value.startsWith("package ") }.flatMap { (index, line) ->
+                QUALIFIED_NAME.findAll(line).map { index + 1 to it.value }
+            }
+
+        val doubleBangs = lines.withIndex().filter { "!!" in it.value }.map { it.index + 1 }
+
+        private companion object {
+            val QUALIFIED_NAME = Regex("""(?<![\w.])(?:cga|org\.lwjgl)(?:\.\w+)+""")
+
+            fun code(text: String) = buildString {
+                val lexer = KotlinLexer()
+                lexer.start(text)
+                while (lexer.tokenType != null) {
+                    val isCode = lexer.tokenType !in KtTokens.COMMENTS && lexer.tokenType !in TEXT
+                    append(if (isCode) lexer.tokenText else lexer.tokenText.replace(Regex("."), " "))
+                    lexer.advance()
+                }
+            }
+
+            val TEXT = setOf(KtTokens.REGULAR_STRING_PART, KtTokens.ESCAPE_SEQUENCE, KtTokens.CHARACTER_LITERAL)
+        }
+    }
+}

@@ -1,7 +1,7 @@
 #!/bin/sh
 # What a build that fails, is interrupted or is not alone leaves behind.
 . "$(dirname "$0")/sandbox.sh"
-stamp="$checkout/build/cga/stamp"
+stamp="$checkout/build/cga/window.stamp"
 builder=$(cat "$sandbox/bin/mvn")
 
 cga render
@@ -12,13 +12,13 @@ echo '[ERROR] Main.kt: (1, 5) Unresolved reference: mian'
 echo '[ERROR] [Help 1] a page about nothing'
 exit 1
 END
-echo 'fun mian' >"$checkout/src/main/kotlin/Main.kt"
+echo 'fun mian' >"$scene/Main.kt"
 cga render
 check 'a failing build ends with 2' ended 2
 check 'it shows the error' said '(1, 5) Unresolved reference: mian'
 check 'once' [ "$(grep -c Unresolved "$sandbox/err")" = 1 ]
 check 'without the tool talking about itself' not said 'Help 1'
-check 'it names the log' said "$checkout/build/cga/build.log"
+check 'it names the log' said "$checkout/build/cga/window.log"
 check 'the program is not started' not called java
 check 'no stamp is left' [ ! -e "$stamp" ]
 cga render
@@ -33,7 +33,7 @@ check 'and is well once the source is' called java
 stub mvn <<END
 mkdir -p build/cga/lib && echo \$\$ >"$sandbox/building" && exec sleep 20
 END
-echo '// changed' >>"$checkout/src/main/kotlin/Main.kt"
+echo '// changed' >>"$scene/Main.kt"
 : >"$calls"
 env -i HOME="$sandbox/home" PATH="$sandbox/bin" "$checkout/cga" render >"$sandbox/out" 2>"$sandbox/err" &
 while [ ! -s "$sandbox/building" ]; do sleep 0.1; done
@@ -59,6 +59,6 @@ echo "$builder" >"$sandbox/bin/mvn"
 sh -c 'exit' &
 wait $!
 ln -s $! "$checkout/build/cga/lock"
-echo '// changed' >>"$checkout/src/main/kotlin/Main.kt"
+echo '// changed' >>"$scene/Main.kt"
 cga render
 check 'the lock of a launcher that was killed holds nobody up' called java

@@ -7,28 +7,50 @@ check 'the first use builds with Maven' called 'mvn .*package'
 check 'and says so, and why' said 'building with Maven (first use)'
 check 'then it starts the program' called java
 
+check 'of the program only the part that the command needs' called 'mvn .* -pl src/window -am package$'
+check 'without what only tests need' called 'mvn .* -DwithoutTests '
+check 'it names the log' said "its log is $checkout/build/cga/window.log"
+
 cga render
 check 'the second start calls no build tool' not called mvn
 check 'and says nothing' [ ! -s "$sandbox/err" ]
 
-touch -t 203001010000 "$checkout/src/main/kotlin/Main.kt"
+touch -t 203001010000 "$scene/Main.kt"
 cga render
 check 'a touch is no change' not called mvn
 
-echo '// changed' >>"$checkout/src/main/kotlin/Main.kt"
+echo '// changed' >>"$scene/Main.kt"
 cga render
 check 'a changed source rebuilds' called mvn
 check 'and says why' said 'building with Maven (sources changed)'
 
-echo 'val x = 1' >"$checkout/src/main/kotlin/Added.kt"
+echo '// changed' >>"$checkout/src/grader/kotlin/Main.kt"
+cga render
+check 'what changed in another part does not' not called mvn
+cga grade --help
+check 'a command of that part builds it' called 'mvn .* -pl src/grader -am package$'
+cga render
+check 'and leaves the first as it is' not called mvn
+
+stub mvn <<'END'
+mkdir -p build/cga/lib && touch build/cga/lib/cga-scene.jar
+echo 'Downloading from central: a.jar'
+echo '[INFO] Building scene 1.0                                                 [2/5]'
+END
+echo '// changed' >>"$scene/Main.kt"
+cga render
+check 'a download is told' said 'downloading libraries'
+check 'and how far the build is' said 'compiling scene (1 of 4)'
+
+echo 'val x = 1' >"$scene/Added.kt"
 cga render
 check 'an added source rebuilds' called mvn
 
-mv "$checkout/src/main/kotlin/Added.kt" "$checkout/src/main/kotlin/Renamed.kt"
+mv "$scene/Added.kt" "$scene/Renamed.kt"
 cga render
 check 'a renamed source rebuilds' called mvn
 
-rm "$checkout/src/main/kotlin/Renamed.kt"
+rm "$scene/Renamed.kt"
 cga render
 check 'a deleted source rebuilds' called mvn
 
@@ -38,7 +60,7 @@ for file in pom.xml build.gradle.kts; do
     check "a changed $file rebuilds" called mvn
 done
 
-touch "$checkout/src/main/kotlin/.Main.kt.swp" "$checkout/src/main/kotlin/Main.kt~"
+touch "$scene/.Main.kt.swp" "$scene/Main.kt~"
 cga render
 check 'what an editor leaves beside a source does not rebuild' not called mvn
 
@@ -60,11 +82,11 @@ check 'a gradle that is too old is left aside' said 'building with Maven'
 
 stub gradle <<'END'
 [ "$1" = --version ] && echo 'Gradle 8.7' && exit
-mkdir -p build/cga/lib
+mkdir -p build/cga/lib && touch build/cga/lib/cga-scene.jar
 END
 echo '// changed' >>"$checkout/build.gradle.kts"
 cga render
-check 'Gradle is preferred where it is at hand' called 'gradle .*installCga'
+check 'Gradle is preferred where it is at hand' called 'gradle .*:window:installCga'
 check 'and said' said 'building with Gradle (sources changed)'
 check 'Maven is not called as well' not called mvn
 
@@ -87,9 +109,9 @@ mkdir -p "$sandbox/home/.gradle/wrapper/dists/gradle-9.9-bin/hash"
 touch "$sandbox/home/.gradle/wrapper/dists/gradle-9.9-bin/hash/gradle-9.9-bin.zip.ok"
 echo '// changed' >>"$checkout/build.gradle.kts"
 cga render
-check 'a wrapper whose Gradle is there already is taken' called 'gradlew .*installCga'
+check 'a wrapper whose Gradle is there already is taken' called 'gradlew .*:window:installCga'
 
 rm -r "$sandbox/bin/gradle" "$sandbox/bin/mvn" "$sandbox/home/.gradle" "$checkout/build"
 cga render
 check 'without Gradle and Maven it ends with 2' ended 2
-check 'and says what to type' said 'type: sudo apt-get install -y --no-install-recommends maven'
+check 'and says what to type' said 'sudo apt-get install -y --no-install-recommends maven'

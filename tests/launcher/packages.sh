@@ -18,7 +18,7 @@ echo 'libEGL.so.1 (libc6,x86-64) => /lib/libEGL.so.1'
 END
 cga render
 check 'a user whom sudo asks for a password gets the command' \
-    said 'missing: libosmesa6; type: sudo apt-get install -y --no-install-recommends libosmesa6'
+    said 'missing: libosmesa6; type: sudo apt-get update && sudo apt-get install -y --no-install-recommends libosmesa6'
 check 'and no installation' not installs ''
 check 'the program starts all the same, and can say more' called java
 
@@ -62,7 +62,7 @@ stub apt-get <<'END'
 [ "$1" = update ] || { echo 'E: the disk is full' && exit 100; }
 END
 cga render
-check 'a failing installation says what to type' said 'to try by hand, type: apt-get install -y --no-install-recommends libosmesa6'
+check 'a failing installation says what to type' said 'to try by hand, type: apt-get update && apt-get install -y --no-install-recommends libosmesa6'
 check 'and keeps the reason' grep -q 'the disk is full' "$checkout/build/cga/apt.log"
 check 'the program starts all the same' called java
 

@@ -9,12 +9,14 @@ trap 'rm -rf "$sandbox"' EXIT
 checkout="$sandbox/a check  out"
 calls="$sandbox/calls"
 
-mkdir -p "$checkout/src/main/kotlin" "$sandbox/bin" "$sandbox/home" "$sandbox/elsewhere"
+scene=$checkout/src/scene/kotlin
+mkdir -p "$scene" "$checkout/src/grader/kotlin" "$sandbox/bin" "$sandbox/home" "$sandbox/elsewhere"
 cp "$root/cga" "$checkout/cga"
-echo 'fun main() = Unit' >"$checkout/src/main/kotlin/Main.kt"
+cp -R "$root/src/launcher" "$checkout/src/launcher"
+echo 'fun main() = Unit' >"$scene/Main.kt"
 touch "$checkout/pom.xml" "$checkout/build.gradle.kts" "$calls"
 
-for tool in sh awk cat chmod cksum cp date dirname env find grep head ln mkdir mv readlink rm sed sleep sort tail touch tr uname; do
+for tool in sh awk cat chmod cksum cp date dirname env find grep head ln mkdir mv readlink rm sed sleep sort tail tee touch tr uname; do
     ln -s "$(command -v $tool)" "$sandbox/bin/$tool"
 done
 
@@ -78,7 +80,7 @@ ended() { [ "$status" = "$1" ]; }
 jdk "$sandbox/jdk-17" 17.0.1
 ln -s "$sandbox/jdk-17/bin/java" "$sandbox/bin/java"
 stub mvn <<'END'
-mkdir -p build/cga/lib && touch build/cga/lib/cga.jar
+mkdir -p build/cga/lib && touch build/cga/lib/joml.jar build/cga/lib/lwjgl-natives-windows.jar build/cga/lib/kotlin-stdlib-2.0.jar
 END
 stub ldconfig <<'END'
 echo 'libOSMesa.so.8 (libc6,x86-64) => /lib/libOSMesa.so.8'

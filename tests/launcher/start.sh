@@ -19,18 +19,30 @@ check 'stdout is the program'"'"'s' [ "$(cat "$sandbox/out")" = 'the picture' ]
 check 'and so is the exit code' ended 7
 check 'it runs where the user is' [ "$(cat "$sandbox/folder")" = "$(cd "$sandbox/elsewhere" && pwd -P)" ]
 check 'it is told where the checkout is' argument "-Dcga.home=$checkout"
-check 'its class path is the jars' argument "$checkout/build/cga/lib/*"
+lib=$checkout/build/cga/lib
+check "its class path is the libraries for this machine, then our own jars" \
+    argument "$lib/joml.jar:$lib/kotlin-stdlib-2.0.jar:$lib/cga-scene.jar:$lib/cga-pictures.jar:$lib/cga-cli.jar:$lib/cga-window.jar"
 check 'what it cooks lies with the build' argument "-Dcga.cooked=$checkout/build/cga/cooked"
 check 'a short command starts quickly' argument -XX:TieredStopAtLevel=1
 check 'and its heap may grow' not argument -XX:+AlwaysPreTouch
-check 'with the archive of classes' argument "-XX:SharedArchiveFile=$checkout/build/cga/java-17.0.1.jsa"
+check 'right after a build nobody waits for an archive of classes' not called archive
 check 'OpenGL is 3.3' grep -q -x MESA_GL_VERSION_OVERRIDE=3.3 "$sandbox/environment"
 check 'and GLSL 330' grep -q -x MESA_GLSL_VERSION_OVERRIDE=330 "$sandbox/environment"
 check 'a GPU may be used' not grep -q LIBGL_ALWAYS_SOFTWARE "$sandbox/environment"
 check 'Java 17 is not given flags that it does not know' not argument --enable-native-access=ALL-UNNAMED
 
 cga render
-check 'the archive is made once' not called archive
+check 'the next start makes an archive of the libraries and one of all classes' [ "$(grep -c archive "$calls")" = 2 ]
+check 'and starts with it' argument "-XX:SharedArchiveFile=$checkout/build/cga/window-17.0.1.jsa"
+cga render
+check 'which are made once' not called archive
+
+echo '// changed' >>"$scene/Main.kt"
+cga render
+check 'after an edit it starts with the archive of the libraries' argument "-XX:SharedArchiveFile=$checkout/build/cga/window-libraries-17.0.1.jsa"
+check 'and makes none' not called archive
+cga render
+check 'until it is started once more' [ "$(grep -c archive "$calls")" = 1 ]
 
 environment=MESA_GL_VERSION_OVERRIDE=4.5
 cga run
@@ -40,14 +52,14 @@ check 'a version that the user set stays' grep -q -x MESA_GL_VERSION_OVERRIDE=4.
 jdk "$sandbox/jdk-25" 25.0.3
 environment="JAVA_HOME=$sandbox/jdk-25"
 cga doctor
-check 'JAVA_HOME is honoured: another JDK has an archive of its own' argument "-XX:SharedArchiveFile=$checkout/build/cga/java-25.0.3.jsa"
+check 'JAVA_HOME is honoured: another JDK has an archive of its own' argument "-XX:SharedArchiveFile=$checkout/build/cga/window-25.0.3.jsa"
 check 'and needs no build' not called mvn
 check 'Java 25 may access native code' argument --enable-native-access=ALL-UNNAMED
 
 sed 's/&& echo classes.*exit ;;/\&\& exit 1 ;;/' "$sandbox/jdk-17/bin/java" >"$sandbox/jdk-25/bin/java"
 rm -f "$checkout"/build/cga/*.jsa
 cga doctor
-check 'where no archive can be made the program starts without' not argument "-XX:SharedArchiveFile=$checkout/build/cga/java-25.0.3.jsa"
+check 'where no archive can be made the program starts without' not argument "-XX:SharedArchiveFile=$checkout/build/cga/window-25.0.3.jsa"
 check 'silently' [ ! -s "$sandbox/err" ]
 cga doctor
 check 'and none is tried again' not called archive

@@ -29,7 +29,7 @@ check 'without a test' not called mvn
 printf '%s\n' libosmesa6 libegl1 libgl1-mesa-dri libgl1 xdotool openbox shellcheck bubblewrap chromium >"$sandbox/home/installed-packages"
 cga test
 check 'what the tests need and is missing is named' \
-    said 'missing: xvfb g++ libglm-dev; type: sudo apt-get install -y --no-install-recommends xvfb g++ libglm-dev'
+    said 'missing: xvfb g++ libglm-dev; type: sudo apt-get update && sudo apt-get install -y --no-install-recommends xvfb g++ libglm-dev'
 check 'the tests run, and tell what they skip' called mvn
 echo 0 >"$sandbox/uid"
 cga test

@@ -26,7 +26,7 @@ class LauncherTest {
         val found = System.getenv("PATH").split(File.pathSeparator).any { File(it, "shellcheck").canExecute() }
         if (System.getenv("CI") == "true") assertTrue(found) { "needs shellcheck: apt-get install shellcheck" }
         assumeTrue(found, "needs shellcheck: apt-get install shellcheck")
-        run("shellcheck", "-x", "-P", "SCRIPTDIR", "cga", ".ci/run", *scripts().toTypedArray())
+        run("shellcheck", "-x", "-P", "SCRIPTDIR", "-P", ".", "cga", ".ci/run", *scripts().toTypedArray())
     }
 
     private fun run(vararg command: String) {

@@ -19,10 +19,11 @@ val nativeAccess = buildList {
     if (jdk >= 23) add("--sun-misc-unsafe-memory-access=allow")
 }
 
+// Whose commands the program has; they bring what they are made of.
+val programs = listOf("window", "grader", "lab")
+
 dependencies {
-    runtimeOnly(project(":window"))
-    runtimeOnly(project(":grader"))
-    runtimeOnly(project(":lab"))
+    for (part in programs) runtimeOnly(project(":$part"))
 }
 
 application {
@@ -99,6 +100,9 @@ subprojects {
         "testRuntimeOnly"(rootProject.libs.junit.platform.launcher)
     }
 
+    // By one name in either build.
+    tasks.named<Jar>("jar") { archiveVersion = "" }
+
     tasks.named<Test>("test") {
         useJUnitPlatform()
         workingDir = rootDir
@@ -119,17 +123,16 @@ subprojects {
             exceptionFormat = TestExceptionFormat.FULL
         }
     }
-}
 
-// What ./cga starts: our jars and all runtime jars in one folder, and nothing else.
-for (part in listOf("window", "grader", "lab")) {
-    tasks.register<Copy>("install${part.replaceFirstChar(Char::uppercase)}") {
-        description = "Puts the part $part and all it needs into build/cga/lib."
-        group = "distribution"
-        val runtime = project(":$part").configurations.named("runtimeClasspath")
-        from(project(":$part").tasks.named("jar"), runtime)
-        // Gradle names some jars without their version: never let one silently replace another.
-        duplicatesStrategy = DuplicatesStrategy.FAIL
-        into(layout.buildDirectory.dir("cga/lib"))
+    // What ./cga starts: the jars of a part and all that it runs with, in the folder that the parts share.
+    if (name in programs) {
+        tasks.register<Copy>("installCga") {
+            description = "Puts this part and all it needs into build/cga/lib."
+            group = "distribution"
+            from(tasks.named("jar"), configurations.named("runtimeClasspath"))
+            // Gradle names some jars without their version: never let one silently replace another.
+            duplicatesStrategy = DuplicatesStrategy.FAIL
+            into(rootProject.layout.buildDirectory.dir("cga/lib"))
+        }
     }
 }

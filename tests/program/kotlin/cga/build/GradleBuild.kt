@@ -1,75 +1,93 @@
 package cga.build
 
 /**
- * What Gradle's three files say of the build, as facts that [mavenFacts] names alike.
+ * What Gradle's files say of the build, as facts that [mavenFacts] names alike.
  *
- * Not a parser of Kotlin: it knows the forms of line that build.gradle.kts uses, and throws [IllegalStateException] on any other
+ * Not a parser of Kotlin: it knows the forms of line that the scripts use, and throws [IllegalStateException] on any other
  * where it could overlook something.
+ *
+ * @param parts the script of each part, by its name.
  */
-internal fun gradleFacts(catalogue: String, settings: String, script: String): Map<String, String> =
-    GradleBuild(Catalogue(catalogue), withoutComments(settings), withoutComments(script)).facts()
+internal fun gradleFacts(catalogue: String, settings: String, script: String, parts: Map<String, String>): Map<String, String> =
+    GradleBuild(Catalogue(catalogue), withoutComments(settings), withoutComments(script), parts.mapValues { withoutComments(it.value) }).facts()
 
-private class GradleBuild(private val catalogue: Catalogue, private val settings: String, private val script: String) {
-    private val kotlin = catalogue.plugin(find("""alias\(libs\.plugins\.([\w.]+)\)""", script))
+private class GradleBuild(
+    private val catalogue: Catalogue,
+    private val settings: String,
+    private val script: String,
+    private val parts: Map<String, String>,
+) {
+    private val kotlin = catalogue.plugin(find("""alias\(libs\.plugins\.([\w.]+)\) apply false""", script))
     private val usedLibraries = mutableSetOf<String>()
 
     fun facts(): Map<String, String> =
         buildMap {
             put("name", find("""rootProject\.name = "(.+)"""", settings))
-            put("group", find("""(?m)^group = "(.+)"""", script))
-            put("version", find("""(?m)^version = "(.+)"""", script))
+            put("group", find("""(?m)^ {4}group = "(.+)"""", script))
+            put("version", find("""(?m)^ {4}version = "(.+)"""", script))
+            put("parts", (partsInOrder().map { "src/$it" } + "tests/program").joinToString())
             put("Kotlin", kotlin)
             put("JVM target", jvmTarget())
-            put("main sources", sources("main"))
-            put("test sources", sources("test"))
+            check(findAll("(?i)srcDir", script).size == 4) { "build.gradle.kts: source folders are set in a form that this test does not know" }
+            put("main sources", find("""kotlin\.setSrcDirs\(listOf\("(.+)"\)\)""", script))
+            put("test sources", find("""val tests = rootDir\.resolve\("(.+)"\)""", script) + "/" + find("""kotlin\.setSrcDirs\(listOf\(tests\.resolve\("(.+)"\)\)\)""", script))
             put("warnings are errors", ("allWarningsAsErrors = true" in script).toString())
             put("compiler", strings(find("""freeCompilerArgs\.addAll\((.+)\)""", script)).joinToString())
             put("explicit API", ("explicitApi()" in script).toString())
-            put("test processes", find("""maxParallelForks = (\d+)""", block("tasks.test")))
-            put("test heap", find("""maxHeapSize = "(.+)"""", block("tasks.test")))
+            put("test processes", find("""maxParallelForks = (\d+)""", tests()))
+            put("test heap", find("""maxHeapSize = "(.+)"""", tests()))
             putAll(calls("systemProperty", "test property"))
             putAll(calls("environment", "test environment"))
             putAll(dependencies())
         }
+
+    private fun partsInOrder() = findAll("""(?m)^part\("(\w+)"\)""", settings).map { it.groupValues[1] }
 
     private fun jvmTarget(): String {
         val (alias, literal) = findAll(JVM_TARGET, script).single().destructured
         return literal.ifEmpty { catalogue.version(alias) }
     }
 
-    private fun sources(set: String): String {
-        check(findAll("(?i)srcDir", script).size == 2) { "build.gradle.kts: source folders are set in a form that this test does not know" }
-        return strings(find("""\b$set \{ kotlin\.setSrcDirs\(listOf\((.+)\)\) }""", script)).joinToString()
-    }
-
     private fun calls(function: String, fact: String): Map<String, String> {
-        val calls = findAll("""\b$function\("(.+)", "(.+)"\)""", block("tasks.test"))
+        val calls = findAll("""\b$function\("(.+)", "(.+)"\)""", tests())
         return calls.associate { "$fact ${it.groupValues[1]}" to it.groupValues[2] }
     }
 
     private fun dependencies(): Map<String, String> {
-        // Gradle's Kotlin plugin adds the library of its own version.
-        val facts = mutableMapOf("compile org.jetbrains.kotlin:kotlin-stdlib" to kotlin)
-        for (line in block("dependencies").lines().map { it.trim() }.filter { it.isNotEmpty() }) {
-            facts += libraryFacts(line)
+        val facts = mutableMapOf<String, String>()
+        for ((part, script) in parts) {
+            // Gradle's Kotlin plugin adds the library of its own version.
+            facts["$part: compile org.jetbrains.kotlin:kotlin-stdlib"] = kotlin
+            val common = lines(find("""(?s)\n {4}dependencies \{\n(.*?)\n {4}}\n""", this.script))
+            val own = lines(find("""(?s)(?:^|\n)dependencies \{\n(.*?)\n}\n""", script))
+            for (line in common + own) facts += libraryFacts(line).mapKeys { "$part: ${it.key}" }
         }
         val unused = catalogue.libraries.keys - usedLibraries
-        check(unused.isEmpty()) { "libs.versions.toml: $unused is not used in build.gradle.kts" }
+        check(unused.isEmpty()) { "libs.versions.toml: $unused is not used by any part" }
         return facts
     }
 
+    private fun lines(block: String) = block.lines().map { it.trim().replace("rootProject.libs.", "libs.") }.filter { it.isNotEmpty() }
+
     private fun libraryFacts(line: String): Map<String, String> {
-        if (line == "for (platform in nativePlatforms) {" || line == "}") return emptyMap()
         val natives = NATIVES.matchEntire(line)?.destructured
         if (natives != null) {
             val (alias) = natives
             return platforms().associate { platform -> "runtime ${module(alias)}:natives-$platform" to version(alias) }
         }
+        val project = PROJECT.matchEntire(line)?.destructured
+        if (project != null) {
+            val (configuration, part, testing) = project
+            return mapOf("${scope(configuration)} cga:$part${if (testing.isEmpty()) "" else ":tests"}" to "ours")
+        }
         val library = checkNotNull(LIBRARY.matchEntire(line)) { "build.gradle.kts: cannot read the dependency: $line" }
         val (configuration, alias) = library.destructured
-        val scope = checkNotNull(SCOPES[configuration]) { "build.gradle.kts: no Maven scope is like $configuration" }
-        return mapOf("$scope ${module(alias)}" to version(alias))
+        return mapOf("${scope(configuration)} ${module(alias)}" to version(alias))
     }
+
+    private fun scope(configuration: String) = checkNotNull(SCOPES[configuration]) { "build.gradle.kts: no Maven scope is like $configuration" }
+
+    private fun tests() = find("""(?s)\n {4}tasks\.named<Test>\("test"\) \{\n(.*?)\n {4}}\n""", script)
 
     private fun platforms() = strings(find("""val nativePlatforms = listOf\((.+)\)""", script))
 
@@ -77,14 +95,21 @@ private class GradleBuild(private val catalogue: Catalogue, private val settings
 
     private fun version(alias: String) = catalogue.library(alias).second
 
-    private fun block(name: String) = find("""(?s)(?:^|\n)${Regex.escape(name)} \{\n(.*?)\n}\n""", script)
-
     private companion object {
-        const val JVM_TARGET = """jvmTarget = JvmTarget\.fromTarget\((?:libs\.versions\.(\w+)\.get\(\)|"(\w+)")\)"""
-        val LIBRARY = Regex("""(\w+)\(libs\.([\w.]+)\)""")
-        val NATIVES = Regex("""runtimeOnly\(variantOf\(libs\.([\w.]+)\) \{ classifier\("natives-\${'$'}platform"\) }\)""")
+        const val JVM_TARGET = """jvmTarget = JvmTarget\.fromTarget\((?:rootProject\.libs\.versions\.(\w+)\.get\(\)|"(\w+)")\)"""
+        val LIBRARY = Regex(""""?(\w+)"?\(libs\.([\w.]+)\)""")
+        val NATIVES = Regex(""""natives"\(libs\.([\w.]+)\)""")
+        val PROJECT = Regex("""(\w+)\(project\(":(\w+)"(, "testing")?\)\)""")
+
+        // Maven's `compile` is seen by whoever uses the part, like `api`: it knows no other.
         val SCOPES =
-            mapOf("implementation" to "compile", "runtimeOnly" to "runtime", "testImplementation" to "test", "testRuntimeOnly" to "test")
+            mapOf(
+                "api" to "compile",
+                "implementation" to "compile",
+                "runtimeOnly" to "runtime",
+                "testImplementation" to "test",
+                "testRuntimeOnly" to "test",
+            )
     }
 }
 

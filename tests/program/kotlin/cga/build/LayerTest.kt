@@ -20,7 +20,7 @@ class LayerTest {
             "cli" to setOf("grading", "measure", "inspect", "imaging", "reference", "exercise", "framework"),
         )
 
-    private val sources = kotlinFiles("src").map { Source(it.invariantSeparatorsPath, it.readText()) }
+    private val sources = kotlinFiles(*PARTS.map { "src/$it/kotlin" }.toTypedArray()).map { Source(it.invariantSeparatorsPath, it.readText()) }
 
     @Test
     fun `the sources keep to their layers`() {
@@ -31,6 +31,18 @@ class LayerTest {
     @Test
     fun `no packages use each other in a circle`() {
         assertEquals("", circle(sources).joinToString(" uses "))
+    }
+
+    @Test
+    fun `each part has its own packages, and the tests lie as the sources do`() {
+        val places = PARTS.flatMap { kotlinFiles("src/$it/kotlin", "tests/$it/kotlin") }.map { it.invariantSeparatorsPath }
+        val wrong = places.filterNot { place ->
+            val part = place.split('/')[1]
+            // What the tests of all parts share lies with those of the first one.
+            val packages = PACKAGES.getValue(part) + if (place.startsWith("tests/scene/")) setOf("testing") else emptySet()
+            packages.any { "/kotlin/cga/${it.replace('.', '/')}/" in place }
+        }
+        assertEquals(emptyList<String>(), wrong)
     }
 
     @Test

@@ -10,3 +10,15 @@ internal fun kotlinFiles(vararg folders: String): List<File> =
         .filter { it.isFile && it.extension == "kt" }
         .map { it.relativeTo(projectRoot) }
         .sortedBy { it.invariantSeparatorsPath }
+
+/** The parts of the program, each a folder of `src`, and the packages below `cga` that lie there. */
+internal val PACKAGES: Map<String, Set<String>> =
+    mapOf(
+        "scene" to setOf("framework", "exercise"),
+        "pictures" to setOf("imaging", "reference"),
+        "cli" to setOf("cli"),
+        "window" to setOf("inspect", "cli.window"),
+        "grader" to setOf("grading", "cli.grader"),
+        "lab" to setOf("measure", "cli.lab"),
+    )
+internal val PARTS: Set<String> = PACKAGES.keys

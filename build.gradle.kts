@@ -104,18 +104,23 @@ subprojects {
     tasks.named<Jar>("jar") { archiveVersion = "" }
 
     tasks.named<Test>("test") {
-        useJUnitPlatform()
+        useJUnitPlatform {
+            // What one runs before every commit: -Pcga.tests=fast.
+            if (providers.gradleProperty("cga.tests").orNull == "fast") excludeTags("slow")
+        }
         workingDir = rootDir
         // They read shaders, assets, goldens, docs and the build files as well: never up to date.
         outputs.upToDateWhen { false }
         // Two cores are what the tests are planned for, and most of them use one.
         maxParallelForks = 2
         maxHeapSize = "2g"
-        jvmArgs(nativeAccess)
+        // Most tests are over before the optimising compiler has paid.
+        jvmArgs(nativeAccess + listOf("-XX:TieredStopAtLevel=1", "-XX:+UseSerialGC"))
         systemProperty("java.awt.headless", "true")
         systemProperties(providers.systemPropertiesPrefixedBy("cga.").get())
         // A JVM cannot set its own environment: software rendering, and no more GL than the course asks for.
         environment("LIBGL_ALWAYS_SOFTWARE", "1")
+        environment("LC_ALL", "C.UTF-8")
         environment("MESA_GL_VERSION_OVERRIDE", "3.3")
         environment("MESA_GLSL_VERSION_OVERRIDE", "330")
         testLogging {

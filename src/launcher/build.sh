@@ -77,8 +77,8 @@ build_part() {
         [ "$why" = 'sources changed' ] || daemon=false
         set -- mvn -B -DwithoutTests -Dmaven.test.skip=true "-Dkotlin.compiler.daemon=$daemon" -pl "src/$part" -am package
     fi
-    { (cd "$home" && "$@" 2>&1 </dev/null) || echo 'build failed'; } | tee "$log" | show_progress
-    ! grep -q -x 'build failed' "$log" || build_failed
+    { (cd "$home" && "$@" 2>&1 </dev/null) || echo 'the build failed'; } | tee "$log" | show_progress
+    ! grep -q -x 'the build failed' "$log" || build_failed
     list_classpath
     echo "$sources" >"$stamp"
 }
@@ -96,12 +96,15 @@ remove_outdated() {
 
 # What the build tool tells, one line a step.
 show_progress() {
-    awk -v part="$part" '
+    awk '
         function say(text) { print "cga:   " text > "/dev/stderr" }
         /^Downloading from/ && downloads++ % 100 == 0 { say(downloads == 1 ? "downloading libraries" : downloads " files downloaded") }
         /^\[INFO\] Building .*\[[0-9]+\/[0-9]+\]/ && $3 != "cga-lights" { step = $NF; gsub(/[][]/, "", step); split(step, of, "/")
-            say("compiling " $3 " (" of[1] - 1 " of " of[2] - 1 ")") }
-        /^> Task :[a-z]+:compileKotlin/ { split($3, of, ":"); say("compiling " of[2]) }'
+            place = $3 " (" of[1] - 1 " of " of[2] - 1 ")" }
+        /--- (kotlin-maven-plugin|kotlin):.*:compile / && place != "" { say("compiling " place) }
+        /--- (maven-surefire-plugin|surefire):.*:test / && place != "" { testing = place }
+        /T E S T S/ { say("testing " testing) }
+        /^> Task :[a-z]+:(compileKotlin|test)( |$)/ { split($3, of, ":"); say((of[3] == "test" ? "testing " : "compiling ") of[2]) }'
 }
 
 # The libraries come first and in one order: an archive of their classes stays good whatever becomes of ours. Native code is that of this
@@ -127,8 +130,9 @@ build_failed() {
     die "the build failed; all that $tool said: $log"
 }
 
+# Gradle where it is at hand, unless CGA_BUILD is `maven`.
 find_build_tool() {
-    if find_gradle; then tool=Gradle
+    if [ "${CGA_BUILD-}" != maven ] && find_gradle; then tool=Gradle
     elif has mvn; then tool=Maven
     else die 'neither Gradle nor Maven is here to build it: install Maven, or let ./gradlew download Gradle'; fi
 }

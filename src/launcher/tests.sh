@@ -19,12 +19,21 @@ run_tests() {
     export LIBGL_ALWAYS_SOFTWARE=1
     cd "$home" || exit 2
     if [ "$tool" = Gradle ]; then
-        set -- "$gradle" --console=plain --continue test ${fast:+-Pfast} ${pattern:+--tests "$pattern"}
+        reports=test-results/test
+        set -- "$gradle" --console=plain --continue test ${fast:+-Pcga.tests=fast} ${pattern:+--tests "$pattern"}
     else
+        reports=surefire-reports
         # Maven writes Class#method where Gradle writes Class.method.
-        set -- mvn -B -ntp --fail-at-end test ${fast:+-Dfast} \
-            ${pattern:+"-Dtest=$(echo "$pattern" | sed 's/\([A-Z][A-Za-z0-9_]*\)\.\([a-z]\)/\1#\2/')" -Dsurefire.failIfNoSpecifiedTests=false}
+        set -- mvn -B --fail-at-end test ${fast:+-Dcga.tests=fast} ${pattern:+-Dsurefire.failIfNoSpecifiedTests=false} \
+            ${pattern:+"-Dtest=$(echo "$pattern" | sed 's/\([A-Z][A-Za-z0-9_]*\)\.\([a-z]\)/\1#\2/')"}
     fi
-    "$@" >"$log" 2>&1 </dev/null
-    exit $?
+    rm -rf target/*/"$reports" build/*/"$reports"
+    { "$@" 2>&1 </dev/null || echo 'the build failed'; } | tee "$log" | show_progress
+    # shellcheck source=src/launcher/tests-summary.sh
+    . "$home/src/launcher/tests-summary.sh"
+    summarize_tests target/*/"$reports" build/*/"$reports"
+    passed=$?
+    # Where all tests passed and the build did not, it is the compiler that has something to say.
+    [ $passed != 0 ] || ! grep -q -x 'the build failed' "$log" || build_failed
+    exit $passed
 }

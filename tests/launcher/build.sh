@@ -36,6 +36,7 @@ stub mvn <<'END'
 mkdir -p build/cga/lib && touch build/cga/lib/cga-scene.jar
 echo 'Downloading from central: a.jar'
 echo '[INFO] Building scene 1.0                                                 [2/5]'
+echo '[INFO] --- kotlin-maven-plugin:2.4:compile (compile) @ scene ---'
 END
 echo '// changed' >>"$scene/Main.kt"
 cga render

@@ -3,25 +3,41 @@
 . "$(dirname "$0")/sandbox.sh"
 printf '%s\n' libosmesa6 libegl1 libgl1-mesa-dri libgl1 xvfb xdotool openbox g++ libglm-dev shellcheck bubblewrap chromium >"$sandbox/home/installed-packages"
 stub mvn <<END
-echo 'Tests run: 3' && pwd >"$sandbox/folder" && env >"$sandbox/environment" && exit 1
+mkdir -p target/scene/surefire-reports
+cp "$sandbox/report" target/scene/surefire-reports/TEST-cga.ATest.xml
+pwd >"$sandbox/folder" && env >"$sandbox/environment"
+! grep -q '<failure' "$sandbox/report"
+END
+cat >"$sandbox/report" <<'END'
+<testsuite name="cga.ATest" time="1.5" tests="3">
+<testcase name="a" classname="cga.ATest" time="1"/>
+<testcase name="b" classname="cga.ATest" time="0"><failure message="1 is not 2"/></testcase>
+<testcase name="c" classname="cga.ATest" time="0"><skipped message="needs a GPU"/></testcase>
+</testsuite>
 END
 
 cga test
-check 'Maven tests' called 'mvn -B -ntp test$'
+check 'Maven tests' called 'mvn -B --fail-at-end test$'
 check 'and it is said' said 'testing with Maven'
-check 'its summary is seen' printed 'Tests run: 3'
-check 'its exit code passes through' ended 1
+check 'the log is named' said "its log is $checkout/build/cga/test.log"
+check 'the slowest class is printed' printed '1.5 s  cga.ATest'
+check 'and which test failed, and how' printed 'failed: cga.ATest#b: 1 is not 2'
+check 'and why one was skipped' printed 'skipped: needs a GPU (1)'
+check 'and last how many' [ "$(tail -n 1 "$sandbox/out")" = '1 passed, 1 failed, 1 skipped' ]
+check 'a failed test ends with 1' ended 1
 check 'it runs in the checkout' [ "$(cat "$sandbox/folder")" = "$(cd "$checkout" && pwd -P)" ]
 check 'with software rendering' grep -q -x LIBGL_ALWAYS_SOFTWARE=1 "$sandbox/environment"
 check 'nothing is installed where nothing is missing' not called apt-get
 
 cga test --tests '*SpotLightTest'
-check 'a pattern is for Maven -Dtest' called 'mvn -B -ntp test -Dtest=\*SpotLightTest$'
+check 'a pattern is for Maven -Dtest' called 'mvn .* -Dtest=\*SpotLightTest$'
 cga test --tests=cga.exercise.SpotLightTest.bind
-check 'and a method has its hash' called 'mvn -B -ntp test -Dtest=cga.exercise.SpotLightTest#bind$'
+check 'and a method has its hash' called 'mvn .* -Dtest=cga.exercise.SpotLightTest#bind$'
 cga test --fast
+check 'the slow ones can be left out' called 'mvn .* -Dcga.tests=fast$'
+cga test --quick
 check 'an unknown option ends with 2' ended 2
-check 'and is named' said "not '--fast'"
+check 'and is named' said "not '--quick'"
 cga test --tests
 check 'a pattern that is missing ends with 2' ended 2
 check 'without a test' not called mvn
@@ -51,9 +67,10 @@ stub google-chrome </dev/null
 cga test
 check 'nor where Chrome is at hand' not called 'apt-get install'
 
-stub gradle <<'END'
-[ "$1" = --version ] && echo 'Gradle 9.3.1'
+stub gradle <<END
+[ "\$1" = --version ] && echo 'Gradle 9.3.1' && exit
+mkdir -p build/scene/test-results/test && cp "$sandbox/report" build/scene/test-results/test/TEST-cga.ATest.xml
 END
 cga test --tests '*SpotLightTest'
-check 'Gradle tests where it is at hand' called 'gradle --console=plain test --tests \*SpotLightTest$'
-check 'and its exit code passes through' ended 1
+check 'Gradle tests where it is at hand' called 'gradle --console=plain --continue test --tests \*SpotLightTest$'
+check 'and its reports are read' printed '1 passed, 1 failed, 1 skipped'

@@ -79,6 +79,7 @@ public class SpeedReport(private val file: Path) {
                 "fragment" to FragmentPart::measure,
                 "micro" to MicroPart::measure,
                 "commands" to CommandPart::measure,
+                "loop" to LoopPart::measure,
             )
 
         /** The names of all parts. */

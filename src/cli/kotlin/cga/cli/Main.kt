@@ -9,8 +9,11 @@ import com.github.ajalt.clikt.core.ProgramResult
 import com.github.ajalt.clikt.core.parse
 import com.github.ajalt.clikt.core.subcommands
 import org.lwjgl.system.Configuration
+import java.io.FileDescriptor
+import java.io.FileOutputStream
 import java.io.OutputStream
 import java.io.PrintStream
+import java.nio.charset.Charset
 import kotlin.system.exitProcess
 
 /** What went wrong on the user's side: bad usage, bad input. */
@@ -20,11 +23,19 @@ private const val EXIT_USER_ERROR = 2
 public fun main(args: Array<String>) {
     // Pictures are encoded by the JDK; nothing of its desktop may start beside GLFW.
     System.setProperty("java.awt.headless", "true")
+    writeUtf8WithoutLocale()
     // Where a library is missing our own message says so, and what to install; LWJGL's is for programmers.
     Configuration.DEBUG_STREAM.set(PrintStream(OutputStream.nullOutputStream()))
     val status = Phases.span("main") { execute(cga(args.toList()), args.toList()) }
     Phases.save()
     exitProcess(status)
+}
+
+/** Where no locale is set Java writes ASCII, with `?` for all else. Like Python and others, take such a terminal for one of UTF-8. */
+private fun writeUtf8WithoutLocale() {
+    if (Charset.forName(System.getProperty("native.encoding")) != Charsets.US_ASCII) return
+    System.setOut(PrintStream(FileOutputStream(FileDescriptor.out), true, Charsets.UTF_8))
+    System.setErr(PrintStream(FileOutputStream(FileDescriptor.err), true, Charsets.UTF_8))
 }
 
 /** Each command's class, in the order of the help. It lies in the part that does its work, which need not be there. */

@@ -19,6 +19,9 @@ import kotlin.system.exitProcess
 /** What went wrong on the user's side: bad usage, bad input. */
 private const val EXIT_USER_ERROR = 2
 
+/** What Java puts in the place of bytes that are no letters in its encoding. */
+private const val UNREADABLE = '\uFFFD'
+
 /** The command line: `cga COMMAND …`. */
 public fun main(args: Array<String>) {
     // Pictures are encoded by the JDK; nothing of its desktop may start beside GLFW.
@@ -31,7 +34,7 @@ public fun main(args: Array<String>) {
     exitProcess(status)
 }
 
-/** Where no locale is set Java writes ASCII, with `?` for all else. Like Python and others, take such a terminal for one of UTF-8. */
+/** Where no locale is set Java writes ASCII, and `?` for all else. UTF-8 is what such a terminal shows, as Python assumes too. */
 private fun writeUtf8WithoutLocale() {
     if (Charset.forName(System.getProperty("native.encoding")) != Charsets.US_ASCII) return
     System.setOut(PrintStream(FileOutputStream(FileDescriptor.out), true, Charsets.UTF_8))
@@ -81,6 +84,9 @@ private fun execute(
         e.statusCode
     } catch (e: CliktError) {
         command.echoFormattedHelp(e)
+        if (e.statusCode != 0 && args.any { UNREADABLE in it }) {
+            System.err.println("cga: Java reads names in ${System.getProperty("native.encoding")} here: set LC_ALL=C.UTF-8, as ./cga does.")
+        }
         // Help that was asked for is no error; help instead of a command is.
         if (e.statusCode == 0 && args.isNotEmpty()) 0 else EXIT_USER_ERROR
     } catch (e: InputError) {

@@ -129,7 +129,7 @@ internal class Confinement private constructor(
             val boundsMemoryFiles = "--size" in said(BWRAP, "--help")
             val ways = (if (isRoot) listOf(true, false) else listOf(false)).map { Confinement(it, filter, boundsMemoryFiles) }
             val failures = ways.map { way -> tryOut(way) ?: return way }
-            throw InputError("no sandbox: bubblewrap cannot make one here (${failures.last()}). ${Forbidden.cause()} $OTHERWISE")
+            throw InputError("no sandbox: bubblewrap cannot make one here (${failures.last()}). ${Forbidden.causes()} $OTHERWISE")
         }
 
         private fun said(vararg command: String): String {

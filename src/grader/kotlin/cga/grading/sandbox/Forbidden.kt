@@ -4,32 +4,38 @@ import kotlin.io.path.Path
 import kotlin.io.path.exists
 import kotlin.io.path.readText
 
-/** What keeps bubblewrap from making a sandbox where it is installed, as far as the system tells. */
+/** Why bubblewrap cannot make a sandbox although it is installed, as far as the system tells. */
 internal object Forbidden {
-    private val IN_CONTAINER = listOf("/.dockerenv", "/run/.containerenv")
+    private const val CONTAINER_OPTIONS =
+        "--cap-add SYS_ADMIN --cap-add NET_ADMIN --security-opt seccomp=unconfined --security-opt apparmor=unconfined " +
+            "--security-opt systempaths=unconfined"
 
-    /** What the kernel's settings must be. Who is root in a container cannot change them there. */
+    private val MARKS_OF_CONTAINERS = listOf("/.dockerenv", "/run/.containerenv")
+
+    /** The kernel's settings that forbid user namespaces, by name: what they must be, and a value that is. */
     private val SETTINGS = listOf(
-        "kernel.apparmor_restrict_unprivileged_userns" to 0..0,
-        "kernel.unprivileged_userns_clone" to 1..1,
-        "user.max_user_namespaces" to 1..Int.MAX_VALUE,
+        Setting("kernel.apparmor_restrict_unprivileged_userns", cure = 0) { it == 0 },
+        Setting("kernel.unprivileged_userns_clone", cure = 1) { it != 0 },
+        Setting("user.max_user_namespaces", cure = 10_000) { it > 0 },
     )
 
-    /** A sentence or two with the cure. */
-    fun cause(): String {
-        val wrong = SETTINGS.filter { (name, right) -> setting(name)?.let { it !in right } ?: false }
-        val sentences = wrong.map { (name, right) ->
-            "The kernel forbids user namespaces ($name = ${setting(name)}): on the machine itself type sudo sysctl -w $name=${maxOf(right.first, 0)}."
-        }
-        val container = "This is a container that forbids it: start it with $CONTAINER_OPTIONS."
-        val all = sentences + listOfNotNull(container.takeIf { IN_CONTAINER.any { Path(it).exists() } })
-        return all.ifEmpty { listOf("In a container: start it with $CONTAINER_OPTIONS.") }.joinToString(" ")
+    private class Setting(
+        val name: String,
+        val cure: Int,
+        val allows: (Int) -> Boolean,
+    )
+
+    /** The causes, each with its cure. */
+    fun causes(
+        value: (String) -> Int? = ::kernelsOwn,
+        isContainer: Boolean = MARKS_OF_CONTAINERS.any { Path(it).exists() },
+    ): String {
+        val forbidding = SETTINGS.filterNot { setting -> value(setting.name)?.let(setting.allows) ?: true }
+        val kernel = forbidding.map { "${it.name} = ${value(it.name)} forbids user namespaces: type sudo sysctl -w ${it.name}=${it.cure}." }
+        val container = "${if (isContainer) "Start this container" else "If this is a container, start it"} with $CONTAINER_OPTIONS."
+        return (kernel + listOfNotNull(container.takeIf { isContainer || kernel.isEmpty() })).joinToString(" ")
     }
 
-    private fun setting(name: String): Int? =
-        runCatching { Path("/proc/sys", *name.split(".").toTypedArray()).readText().trim().toInt() }.getOrNull()
-
-    /** What bubblewrap needs as root: namespaces and mounts, and the network of its own to be set up. */
-    const val CONTAINER_OPTIONS: String =
-        "--cap-add SYS_ADMIN --cap-add NET_ADMIN --security-opt seccomp=unconfined --security-opt apparmor=unconfined"
+    private fun kernelsOwn(name: String): Int? =
+        runCatching { Path("/proc/sys/${name.replace('.', '/')}").readText().trim().toInt() }.getOrNull()
 }

@@ -60,7 +60,7 @@ class LimitsTest {
     fun `ten gigabytes of output are neither kept nor waited for`() {
         val limits = Limits(outputBytes = 1_000_000, keptBytes = 1000)
         for (redirection in listOf("", " >&2")) {
-            val outcome = hostile.shell("head -c 10000000000 /dev/zero$redirection", limits)
+            val outcome = hostile.shell("exec head -c 10000000000 /dev/zero$redirection", limits)
             assertExceeded(Limit.OUTPUT, outcome)
             assertEquals(1000, outcome.output.length + outcome.errors.length)
         }

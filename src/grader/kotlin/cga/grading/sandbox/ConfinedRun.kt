@@ -16,9 +16,10 @@ internal class ConfinedRun(
     override fun run(job: Job): Outcome {
         requireFolders(job)
         val status = createTempFile("cga-sandbox-status")
-        val temporary = confinement.temporaryFolder(job)
+        val temporary = confinement.temporaryFolder()
         try {
-            val outcome = Watch(job, start(confinement.command(job, temporary, status), emptyMap())).untilEnd()
+            val outcome =
+                Watch(job, start(confinement.command(job, temporary, status), emptyMap()), listOfNotNull(job.scratch, temporary)).untilEnd()
             // Bubblewrap's own failures end it like a job of exit code 1, but then there was no job.
             val hasRun = status.fileSize() < LONGEST_STATUS && "exit-code" in status.readText()
             if (outcome.end is End.Exited && !hasRun) {
@@ -43,7 +44,7 @@ internal class UnconfinedRun : Sandbox {
         val limited = Limited.command(job, user = null, ownTasks = false)
         // A session of its own is how orphans are recognised.
         val environment = job.fullEnvironment() + ("TMPDIR" to System.getProperty("java.io.tmpdir"))
-        return Watch(job, start(listOf("setsid") + limited, environment)).untilEnd()
+        return Watch(job, start(listOf("setsid") + limited, environment), listOf(job.scratch)).untilEnd()
     }
 }
 

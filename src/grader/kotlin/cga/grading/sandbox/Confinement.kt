@@ -18,7 +18,7 @@ import kotlin.io.path.writeBytes
  *
  * @param ownUser whether jobs run under a user number of their own.
  * @param boundsMemoryFiles whether bubblewrap can bound a file system in memory, as it can from 0.7 on. Where it cannot, a job's `/tmp`
- * is a folder on the disk, which counts as a part of its scratch folder, and it has no shared memory.
+ * is a folder on the disk, which counts like its scratch folder, and it has no shared memory.
  */
 internal class Confinement private constructor(
     private val ownUser: Boolean,
@@ -28,8 +28,8 @@ internal class Confinement private constructor(
     /** This one as it would be with an older bubblewrap. */
     fun withoutBounds(): Confinement = Confinement(ownUser, filter, boundsMemoryFiles = false)
 
-    /** A new folder in the scratch folder of [job] that is to be its `/tmp`, null where it needs none. To be deleted when the job has ended. */
-    fun temporaryFolder(job: Job): Path? = if (boundsMemoryFiles) null else createTempDirectory(job.scratch, "tmp")
+    /** A new folder that is to be a job's `/tmp`, null where it needs none. To be deleted when the job has ended. */
+    fun temporaryFolder(): Path? = if (boundsMemoryFiles) null else createTempDirectory("cga-sandbox-tmp")
 
     /**
      * The command that runs [job] confined.
@@ -39,7 +39,7 @@ internal class Confinement private constructor(
      */
     fun command(job: Job, temporary: Path?, status: Path): List<String> {
         val user = if (ownUser) ThreadLocalRandom.current().nextInt(FIRST_USER, LAST_USER) else null
-        user?.let { own(job.scratch, it) }
+        user?.let { listOfNotNull(job.scratch, temporary).forEach { folder -> own(folder, it) } }
         // Java cannot hand an open file to a child; a shell can.
         val shell = listOf("/bin/sh", "-c", "f=\$1 s=\$2; shift 2; exec \"\$@\" 9<\"\$f\" 8>\"\$s\"", "sh", "$filter", "$status")
         return shell + BWRAP + walls() + system() + places(job, temporary) + environment(job) +

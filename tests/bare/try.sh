@@ -50,7 +50,7 @@ make() {
     local options=(--variant=minbase "${more[@]}")
     [ -z "$cache" ] || options+=(--cache-dir="$cache")
     # Ubuntu's own images have universe, where Maven is; debootstrap takes main only.
-    ! grep -qs ubuntu "/usr/share/debootstrap/scripts/$1" || options+=(--components=main,universe)
+    ! grep -qs ubuntu "/usr/share/debootstrap/scripts/$1" || options+=("--components=main,universe")
     debootstrap "${options[@]}" "$1" "$work/$1" >"$work/$1.log" 2>&1 || return 1
     # As images come: no list of packages, and none of those that were downloaded.
     rm -rf "$work/$1"/var/lib/apt/lists/* "$work/$1"/var/cache/apt/archives/*.deb

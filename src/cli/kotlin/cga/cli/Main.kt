@@ -9,22 +9,36 @@ import com.github.ajalt.clikt.core.ProgramResult
 import com.github.ajalt.clikt.core.parse
 import com.github.ajalt.clikt.core.subcommands
 import org.lwjgl.system.Configuration
+import java.io.FileDescriptor
+import java.io.FileOutputStream
 import java.io.OutputStream
 import java.io.PrintStream
+import java.nio.charset.Charset
 import kotlin.system.exitProcess
 
 /** What went wrong on the user's side: bad usage, bad input. */
 private const val EXIT_USER_ERROR = 2
 
+/** What Java puts in the place of bytes that are no letters in its encoding. */
+private const val UNREADABLE = '\uFFFD'
+
 /** The command line: `cga COMMAND …`. */
 public fun main(args: Array<String>) {
     // Pictures are encoded by the JDK; nothing of its desktop may start beside GLFW.
     System.setProperty("java.awt.headless", "true")
+    writeUtf8WithoutLocale()
     // Where a library is missing our own message says so, and what to install; LWJGL's is for programmers.
     Configuration.DEBUG_STREAM.set(PrintStream(OutputStream.nullOutputStream()))
     val status = Phases.span("main") { execute(cga(args.toList()), args.toList()) }
     Phases.save()
     exitProcess(status)
+}
+
+/** Where no locale is set Java writes ASCII, and `?` for all else. UTF-8 is what such a terminal shows, as Python assumes too. */
+private fun writeUtf8WithoutLocale() {
+    if (Charset.forName(System.getProperty("native.encoding")) != Charsets.US_ASCII) return
+    System.setOut(PrintStream(FileOutputStream(FileDescriptor.out), true, Charsets.UTF_8))
+    System.setErr(PrintStream(FileOutputStream(FileDescriptor.err), true, Charsets.UTF_8))
 }
 
 /** Each command's class, in the order of the help. It lies in the part that does its work, which need not be there. */
@@ -70,6 +84,9 @@ private fun execute(
         e.statusCode
     } catch (e: CliktError) {
         command.echoFormattedHelp(e)
+        if (e.statusCode != 0 && args.any { UNREADABLE in it }) {
+            System.err.println("cga: Java reads names in ${System.getProperty("native.encoding")} here: set LC_ALL=C.UTF-8, as ./cga does.")
+        }
         // Help that was asked for is no error; help instead of a command is.
         if (e.statusCode == 0 && args.isNotEmpty()) 0 else EXIT_USER_ERROR
     } catch (e: InputError) {

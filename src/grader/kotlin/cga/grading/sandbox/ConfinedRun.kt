@@ -14,9 +14,12 @@ internal class ConfinedRun(
     private val confinement: Confinement,
 ) : Sandbox {
     override fun run(job: Job): Outcome {
+        requireFolders(job)
         val status = createTempFile("cga-sandbox-status")
+        val temporary = confinement.temporaryFolder()
         try {
-            val outcome = Watch(job, start(job, confinement.command(job, status), emptyMap())).untilEnd()
+            val outcome =
+                Watch(job, start(confinement.command(job, temporary, status), emptyMap()), listOfNotNull(job.scratch, temporary)).untilEnd()
             // Bubblewrap's own failures end it like a job of exit code 1, but then there was no job.
             val hasRun = status.fileSize() < LONGEST_STATUS && "exit-code" in status.readText()
             if (outcome.end is End.Exited && !hasRun) {
@@ -25,6 +28,7 @@ internal class ConfinedRun(
             return outcome
         } finally {
             status.deleteIfExists()
+            temporary?.let(Scratch::delete)
         }
     }
 
@@ -36,18 +40,20 @@ internal class ConfinedRun(
 /** Runs jobs with limits only. */
 internal class UnconfinedRun : Sandbox {
     override fun run(job: Job): Outcome {
+        requireFolders(job)
         val limited = Limited.command(job, user = null, ownTasks = false)
         // A session of its own is how orphans are recognised.
         val environment = job.fullEnvironment() + ("TMPDIR" to System.getProperty("java.io.tmpdir"))
-        return Watch(job, start(job, listOf("setsid") + limited, environment)).untilEnd()
+        return Watch(job, start(listOf("setsid") + limited, environment), listOf(job.scratch)).untilEnd()
     }
 }
 
-private fun start(job: Job, command: List<String>, environment: Map<String, String>): Process {
-    listOf(
-        job.scratch,
-        job.workingDirectory,
-    ).firstOrNull { !Files.isDirectory(it) }?.let { throw InputError("the folder $it does not exist.") }
+private fun requireFolders(job: Job) {
+    val missing = listOf(job.scratch, job.workingDirectory).firstOrNull { !Files.isDirectory(it) }
+    if (missing != null) throw InputError("the folder $missing does not exist.")
+}
+
+private fun start(command: List<String>, environment: Map<String, String>): Process {
     val builder = ProcessBuilder(command).redirectInput(File("/dev/null"))
     builder.environment().run {
         val path = this["PATH"]

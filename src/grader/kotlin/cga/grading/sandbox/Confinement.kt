@@ -17,22 +17,32 @@ import kotlin.io.path.writeBytes
  * out of reach. Anybody else gets a user namespace. Both have namespaces of their own for all else, no capabilities and a [SeccompFilter].
  *
  * @param ownUser whether jobs run under a user number of their own.
+ * @param boundsMemoryFiles whether bubblewrap can bound a file system in memory, as it can from 0.7 on. Where it cannot, a job's `/tmp`
+ * is a folder on the disk, which counts like its scratch folder, and it has no shared memory.
  */
 internal class Confinement private constructor(
     private val ownUser: Boolean,
     private val filter: Path,
+    private val boundsMemoryFiles: Boolean,
 ) {
+    /** This one as it would be with an older bubblewrap. */
+    fun withoutBounds(): Confinement = Confinement(ownUser, filter, boundsMemoryFiles = false)
+
+    /** A new folder that is to be a job's `/tmp`, null where it needs none. To be deleted when the job has ended. */
+    fun temporaryFolder(): Path? = if (boundsMemoryFiles) null else createTempDirectory("cga-sandbox-tmp")
+
     /**
      * The command that runs [job] confined.
      *
+     * @param temporary what [temporaryFolder] made for it.
      * @param status a file that bubblewrap writes its own account to: it holds `exit-code` once the job has really run.
      */
-    fun command(job: Job, status: Path): List<String> {
+    fun command(job: Job, temporary: Path?, status: Path): List<String> {
         val user = if (ownUser) ThreadLocalRandom.current().nextInt(FIRST_USER, LAST_USER) else null
-        user?.let { own(job.scratch, it) }
+        user?.let { listOfNotNull(job.scratch, temporary).forEach { folder -> own(folder, it) } }
         // Java cannot hand an open file to a child; a shell can.
         val shell = listOf("/bin/sh", "-c", "f=\$1 s=\$2; shift 2; exec \"\$@\" 9<\"\$f\" 8>\"\$s\"", "sh", "$filter", "$status")
-        return shell + BWRAP + walls() + system() + places(job) + environment(job) +
+        return shell + BWRAP + walls() + system() + places(job, temporary) + environment(job) +
             listOf("--") + Limited.command(job, user, ownTasks)
     }
 
@@ -50,7 +60,7 @@ internal class Confinement private constructor(
         listOf("--perms", "0755", "--dir", "/usr") + USR.flatMap { readOnly(Path.of(it)) } + LINKED.flatMap(::linked) +
             folder(Path.of("/etc")) + etc().flatMap(::readOnly) +
             listOf("--proc", "/proc", "--dev", "/dev") +
-            listOf("--size", "$SHARED_MEMORY", "--perms", "1777", "--tmpfs", "/dev/shm", "--remount-ro", "/dev")
+            (if (boundsMemoryFiles) inMemory("/dev/shm", SHARED_MEMORY) else emptyList()) + listOf("--remount-ro", "/dev")
 
     /** `/lib` and its like are links into `/usr` on most machines, and folders on others. */
     private fun linked(name: String): List<String> {
@@ -63,13 +73,15 @@ internal class Confinement private constructor(
         return (ETC + jdks).map { Path.of("/etc").resolve(it) }
     }
 
-    private fun places(job: Job): List<String> {
-        val temporary = listOf("--size", "${job.limits.temporaryBytes}", "--perms", "1777", "--tmpfs", "/tmp")
+    private fun inMemory(path: String, bytes: Long) = listOf("--size", "$bytes", "--perms", "1777", "--tmpfs", path)
+
+    private fun places(job: Job, temporary: Path?): List<String> {
+        val tmp = temporary?.let { listOf("--bind", "${it.toAbsolutePath()}", "/tmp") } ?: inMemory("/tmp", job.limits.temporaryBytes)
         val readable = (job.readOnly + listOf(Path.of(System.getProperty("java.home")))).map { it.toAbsolutePath().normalize() }.distinct()
         val scratch = job.scratch.toAbsolutePath()
         // A folder before what lies in it, or the one would hide the other.
         val places = (readable.filter(Files::exists).map { it to "--ro-bind" } + (scratch to "--bind")).sortedBy { it.first.nameCount }
-        return temporary + places.flatMap { (path, how) -> folders(path) + listOf(how, "$path", "$path") } + listOf("--remount-ro", "/")
+        return tmp + places.flatMap { (path, how) -> folders(path) + listOf(how, "$path", "$path") } + listOf("--remount-ro", "/")
     }
 
     private fun readOnly(path: Path) = if (Files.exists(path)) folders(path) + listOf("--ro-bind", "$path", "$path") else emptyList()
@@ -114,9 +126,16 @@ internal class Confinement private constructor(
             }
             val filter = createTempFile("cga-seccomp").apply { writeBytes(program) }.also { it.toFile().deleteOnExit() }
             val isRoot = Files.getAttribute(Path.of("/proc/self"), "unix:uid") == 0
-            val ways = (if (isRoot) listOf(true, false) else listOf(false)).map { Confinement(it, filter) }
+            val boundsMemoryFiles = "--size" in said(BWRAP, "--help")
+            val ways = (if (isRoot) listOf(true, false) else listOf(false)).map { Confinement(it, filter, boundsMemoryFiles) }
             val failures = ways.map { way -> tryOut(way) ?: return way }
-            throw InputError("no sandbox: bubblewrap cannot make one here (${failures.last()}). $CURE $OTHERWISE")
+            throw InputError("no sandbox: bubblewrap cannot make one here (${failures.last()}). ${Forbidden.causes()} $OTHERWISE")
+        }
+
+        private fun said(vararg command: String): String {
+            val process = ProcessBuilder(*command).redirectErrorStream(true).start()
+            process.outputStream.close()
+            return process.inputReader().use { it.readText() }
         }
 
         private fun isInstalled(tool: String) = listOf("/usr/bin", "/bin", "/usr/local/bin").any { Files.isExecutable(Path.of(it, tool)) }
@@ -141,8 +160,6 @@ internal class Confinement private constructor(
 
         private fun own(folder: Path, user: Int) = Scratch.giveTo(folder, user)
 
-        private const val CURE =
-            "Allow unprivileged user namespaces (sysctl kernel.apparmor_restrict_unprivileged_userns=0, or in a container: --privileged)."
         private const val OTHERWISE = "--unsafe-no-sandbox runs submissions without one: only on a machine that is thrown away afterwards."
     }
 }

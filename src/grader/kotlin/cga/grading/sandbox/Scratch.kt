@@ -37,19 +37,21 @@ public object Scratch {
         }
     }
 
-    /** Whether [folder] holds more than [limits] allow; [openBytes] are in deleted files and count too. */
-    internal fun isOver(folder: Path, limits: Limits, openBytes: Long): Boolean {
+    /** Whether [folders] together hold more than [limits] allow; [openBytes] are in deleted files and count too. */
+    internal fun isOver(folders: List<Path>, limits: Limits, openBytes: Long): Boolean {
         var bytes = openBytes
         var entries = 0
-        val depth = folder.nameCount
         var isOver = false
-        walk(folder) { path, attributes ->
-            // A file takes at least what its data does, but a sparse file of 10 GB would be 10 GB for whoever copies it.
-            bytes += attributes.size().coerceAtLeast(BLOCK)
-            isOver = bytes > limits.diskBytes || ++entries > limits.diskEntries || path.nameCount - depth > DEEPEST
-            !isOver
+        for (folder in folders) {
+            walk(folder) { path, attributes ->
+                // A file takes at least what its data does, but a sparse file of 10 GB would be 10 GB for whoever copies it.
+                bytes += attributes.size().coerceAtLeast(BLOCK)
+                isOver = bytes > limits.diskBytes || ++entries > limits.diskEntries || path.nameCount - folder.nameCount > DEEPEST
+                !isOver
+            }
+            if (isOver) return true
         }
-        return isOver
+        return false
     }
 
     private fun walk(folder: Path, visit: (Path, BasicFileAttributes) -> Boolean) {

@@ -1,11 +1,13 @@
 package cga.grading.sandbox
 
+import java.nio.file.Path
 import java.util.concurrent.TimeUnit.MILLISECONDS
 
-/** Watches over a running [job] until it ends or goes past a limit. */
+/** Watches over a running [job], which fills [folders], until it ends or goes past a limit. */
 internal class Watch(
     private val job: Job,
     private val process: Process,
+    private val folders: List<Path>,
 ) {
     private val started = System.nanoTime()
     private val limits = job.limits
@@ -58,7 +60,7 @@ internal class Watch(
     private fun isDiskOver(): Boolean {
         val before = elapsed()
         if (before < nextDiskLook) return false
-        val isOver = Scratch.isOver(job.scratch, limits, tree.deletedBytes())
+        val isOver = Scratch.isOver(folders, limits, tree.deletedBytes())
         nextDiskLook = elapsed() + maxOf(DISK_PERIOD, DISK_SHARE * (elapsed() - before))
         return isOver
     }
@@ -68,7 +70,7 @@ internal class Watch(
         val code = process.exitValue()
         return when {
             output.total + errors.total > limits.outputBytes -> End.Exceeded(Limit.OUTPUT)
-            Scratch.isOver(job.scratch, limits, 0) -> End.Exceeded(Limit.DISK)
+            Scratch.isOver(folders, limits, 0) -> End.Exceeded(Limit.DISK)
             code == SIGNALLED + SIGXCPU -> End.Exceeded(Limit.CPU)
             code == SIGNALLED + SIGXFSZ -> End.Exceeded(Limit.DISK)
             code > SIGNALLED && code <= SIGNALLED + LAST_SIGNAL -> End.Signalled(code - SIGNALLED)

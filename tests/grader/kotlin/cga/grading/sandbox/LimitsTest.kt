@@ -60,7 +60,7 @@ class LimitsTest {
     fun `ten gigabytes of output are neither kept nor waited for`() {
         val limits = Limits(outputBytes = 1_000_000, keptBytes = 1000)
         for (redirection in listOf("", " >&2")) {
-            val outcome = hostile.shell("head -c 10000000000 /dev/zero$redirection", limits)
+            val outcome = hostile.shell("exec head -c 10000000000 /dev/zero$redirection", limits)
             assertExceeded(Limit.OUTPUT, outcome)
             assertEquals(1000, outcome.output.length + outcome.errors.length)
         }
@@ -100,9 +100,19 @@ class LimitsTest {
 
     @Test
     fun `the private temporary folder is small`() {
-        val outcome = hostile.shell("head -c 100000000 /dev/zero > /tmp/big", Limits(temporaryBytes = 1L shl 20))
-        assertEquals(End.Exited(1), outcome.end)
-        assertTrue("No space left" in outcome.errors) { outcome.errors }
+        val outcome = hostile.shell(FILL_TMP, Limits(temporaryBytes = 1L shl 20, diskBytes = 4_000_000))
+        if (outcome.end == End.Exited(1)) assertTrue("No space left" in outcome.errors) { outcome.errors } else assertExceeded(Limit.DISK, outcome)
+    }
+
+    @Test
+    fun `where bubblewrap cannot bound it the temporary folder counts as disk, and nothing of it is left`() {
+        val sandbox = Hostile.confinedWithoutBounds()
+        assertExceeded(Limit.DISK, hostile.shell(FILL_TMP, Limits(diskBytes = 4_000_000), sandbox))
+        val pieces = "for i in \$(seq 100); do head -c 100000 /dev/zero > /tmp/\$i; done; sleep 100"
+        assertExceeded(Limit.DISK, hostile.shell(pieces, Limits(diskBytes = 4_000_000), sandbox))
+        assertEquals(End.Exited(1), hostile.shell("(: > /dev/shm/a) 2>/dev/null || exit 1", sandbox = sandbox).end)
+        assertEquals("kept\n", hostile.shell("echo kept > /tmp/a; cat /tmp/a", sandbox = sandbox).output)
+        assertEquals(emptyList<String>(), SafeFiles.list(hostile.scratch, 10))
     }
 
     @Test
@@ -120,6 +130,10 @@ class LimitsTest {
         // The parent is gone before its child is looked for.
         assertEquals(End.Exited(3), hostile.shell("(sh -c \"sleep 1000; : $marker\" &) ; exit 3", sandbox = sandbox).end)
         assertFalse(Hostile.isAlive(marker))
+    }
+
+    private companion object {
+        const val FILL_TMP = "head -c 100000000 /dev/zero > /tmp/big"
     }
 
     private fun assertExceeded(limit: Limit, outcome: Outcome) =

@@ -2,6 +2,11 @@
 # Gradescope runs this once, when it builds the autograder's image: everything that needs a network happens here.
 set -euo pipefail
 
+root=${AUTOGRADER_ROOT:-/autograder}
+program=${AUTOGRADER_PROGRAM:-$root/source/cga/cga}
+# shellcheck source=/dev/null # what the instructor chose
+. "$root/source/config.sh"
+
 export DEBIAN_FRONTEND=noninteractive
 apt-get update
 packages=(openjdk-17-jdk-headless bubblewrap)
@@ -9,12 +14,14 @@ packages=(openjdk-17-jdk-headless bubblewrap)
 if apt-cache show libosmesa6 >/dev/null 2>&1; then packages+=(libosmesa6); else packages+=(libegl1 libgl1-mesa-dri); fi
 apt-get install -y --no-install-recommends "${packages[@]}"
 
-cga=/autograder/source/cga/cga
-chmod +x "$cga"
+chmod +x "$program"
 # Says now, while the image is built, if no picture can be drawn in it.
-"$cga" doctor
-# Grades the empty starter, which is our own and needs no sandbox: the compiler is fetched and made ready once, and not for each submission.
+"$program" doctor
+# Grades the empty starter as submissions will be, in the sandbox. The image is not built where that fails, and the compiler is fetched
+# and made ready once, and not for each submission.
+options=()
+[ "$CGA_UNSAFE_NO_SANDBOX" != yes ] || options+=(--unsafe-no-sandbox)
 warm=$(mktemp -d)
-"$cga" starter "$warm/starter"
-"$cga" grade "$warm/starter" --out "$warm/results" --unsafe-no-sandbox
+"$program" starter "$warm/starter"
+"$program" grade "$warm/starter" --out "$warm/results" "${options[@]}"
 rm -rf "$warm"

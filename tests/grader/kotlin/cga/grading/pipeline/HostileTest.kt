@@ -64,8 +64,8 @@ class HostileTest {
     fun gradeAll() {
         val submissions = submissions()
         inputs.resolve("read/assets/link").createSymbolicLinkPointingTo(secret)
-        // An honest run takes a tenth of these.
-        val limits = PipelineLimits(run = Limits(wallSeconds = 60.0, cpuSeconds = 20.0))
+        // An honest run takes a fifth of the processor's time.
+        val limits = PipelineLimits(run = Limits(wallSeconds = 60.0, cpuSeconds = 10.0))
         val settings = CourseSettings(Rubric.default(), Language.ENGLISH, jobs = 2)
         ResultStore.open(out, resume = false).use { store ->
             Pipeline(Hostile.confined(), null, COMPILERS, limits, sharesCompiler = true).use { pipeline ->

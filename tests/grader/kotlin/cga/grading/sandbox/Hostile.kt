@@ -1,7 +1,6 @@
 package cga.grading.sandbox
 
-import org.junit.jupiter.api.Assertions.assertEquals
-import org.junit.jupiter.api.Assumptions.assumeTrue
+import cga.testing.Need
 import java.net.URI
 import java.nio.file.Path
 import javax.tools.JavaFileObject
@@ -47,9 +46,7 @@ class Hostile : AutoCloseable {
     companion object {
         /** The sandbox; where there is none the test is skipped, but in CI it fails. */
         fun confined(): Sandbox {
-            val reason = Sandbox.unavailable
-            if (System.getenv("CI") == "true") assertEquals(null, reason)
-            assumeTrue(reason == null) { "skipped: $reason" }
+            Sandbox.unavailable?.let { Need.SANDBOX.skip(it) }
             return Sandbox.confined()
         }
 

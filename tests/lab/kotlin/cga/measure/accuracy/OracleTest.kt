@@ -1,7 +1,7 @@
 package cga.measure.accuracy
 
 import cga.framework.InputError
-import cga.testing.Offscreen
+import cga.testing.Need
 import org.junit.jupiter.api.Assertions.assertEquals
 import org.junit.jupiter.api.Assertions.assertTrue
 import org.junit.jupiter.api.Test
@@ -82,11 +82,11 @@ class OracleTest {
             try {
                 compiler.redirectErrorStream(true).start()
             } catch (e: IOException) {
-                Offscreen.skip("needs g++: apt-get install g++ libglm-dev (${e.message})")
+                Need.GLM.skip("needs g++: apt-get install g++ libglm-dev (${e.message})")
             }
         val says = process.inputReader().readText()
         val lacks = listOf("needs GLM: apt-get install libglm-dev", "here long double is no better than double").find { it in says }
-        if (lacks != null) Offscreen.skip(lacks)
+        if (lacks != null) Need.GLM.skip(lacks)
         assertEquals(0, process.waitFor(), says)
         return program
     }

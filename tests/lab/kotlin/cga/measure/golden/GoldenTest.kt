@@ -6,6 +6,7 @@ import cga.imaging.BytePicture
 import cga.imaging.FloatPicture
 import cga.imaging.Severity
 import cga.imaging.report.HtmlReport
+import cga.testing.Need
 import cga.testing.Offscreen
 import cga.testing.projectRoot
 import org.junit.jupiter.api.Assertions.assertEquals
@@ -30,7 +31,7 @@ class GoldenTest {
         val result = GoldenRun().result(case)
         val outcome = result.outcome
         if (outcome.severity == Severity.FAIL) fail<Unit>(describe(result, folder()))
-        if (outcome.isSkipped) Offscreen.skip(outcome.messages.joinToString("\n"))
+        if (outcome.isSkipped) Need.LLVMPIPE.skip(outcome.messages.joinToString("\n"))
     }
 
     @Test

@@ -6,6 +6,7 @@ import cga.framework.InputError
 import cga.framework.context.ContextKind
 import cga.framework.image.ImageData
 import cga.testing.FLOAT_ROUNDING
+import cga.testing.Need
 import cga.testing.Offscreen
 import org.junit.jupiter.api.Assertions.assertArrayEquals
 import org.junit.jupiter.api.Assertions.assertEquals
@@ -36,7 +37,7 @@ class TwinRenderTest {
             try {
                 Twin.compile(folder)
             } catch (e: NoCompiler) {
-                Offscreen.skip(e.message.orEmpty())
+                Need.GLM.skip(e.message.orEmpty())
             }
     }
 

@@ -1,6 +1,7 @@
 package cga.cli
 
 import cga.testing.Need
+import cga.testing.Slow
 import cga.testing.projectRoot
 import org.junit.jupiter.api.Assertions.assertEquals
 import org.junit.jupiter.api.Assertions.assertTrue
@@ -13,6 +14,7 @@ import java.io.File
 import java.util.concurrent.TimeUnit
 
 /** The launcher `./cga`, tried by the shell tests in `tests/launcher` on stubs of all that it calls. */
+@Slow
 class LauncherTest {
     @BeforeEach
     fun `there is a shell`() = assumeFalse(System.getProperty("os.name").startsWith("Windows"), "the launcher is for POSIX shells")

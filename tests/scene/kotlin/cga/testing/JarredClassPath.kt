@@ -28,14 +28,19 @@ class JarredClassPath : BeforeAllCallback {
     private companion object {
         const val PROPERTY = "java.class.path"
 
-        val replaced: Unit by lazy {
+        val replaced by lazy<Unit> {
             val entries = System.getProperty(PROPERTY).split(pathSeparator).map(::File).filter(File::exists)
             System.setProperty(PROPERTY, entries.joinToString(pathSeparator) { "${if (it.isDirectory) jar(it) else it}" })
         }
 
         /** The jar of [folder]'s files, made where it is missing, with a number in its name that changes with them. */
         fun jar(folder: File): Path {
-            val files = folder.walk().filter(File::isFile).associate { it.relativeTo(folder).invariantSeparatorsPath to it.readBytes() }.toSortedMap()
+            val files =
+                folder
+                    .walk()
+                    .filter(File::isFile)
+                    .associate { it.relativeTo(folder).invariantSeparatorsPath to it.readBytes() }
+                    .toSortedMap()
             val sum = CRC32().apply { for ((name, bytes) in files) update(name.toByteArray() + bytes) }
             val name = "${folder.parentFile.name}-${folder.name}"
             val jars = testingFolder.createDirectories()

@@ -2,12 +2,14 @@ package cga.grading.corpus
 
 import cga.grading.findings.Check
 import cga.grading.findings.Mistake
+import cga.testing.Slow
 import org.junit.jupiter.api.Assertions.assertEquals
 import org.junit.jupiter.api.Assertions.assertTrue
 import org.junit.jupiter.api.Test
 import kotlin.io.path.writeText
 
 /** The corpus is whole. With `-Dcga.corpus=fix` the list of correct submissions is made anew. */
+@Slow
 class CorpusTest {
     private val combinations = Combinations(Corpus.rewrites.values.toList())
 

@@ -3,6 +3,7 @@ package cga.measure.accuracy
 import cga.exercise.game.Step
 import cga.testing.Need
 import cga.testing.Offscreen
+import cga.testing.Slow
 import org.junit.jupiter.api.Assertions.assertEquals
 import org.junit.jupiter.api.Assertions.assertTrue
 import org.junit.jupiter.api.BeforeAll
@@ -11,6 +12,7 @@ import org.junit.jupiter.params.ParameterizedTest
 import org.junit.jupiter.params.provider.EnumSource
 
 /** Every step drawn by OpenGL into a float target, against the reference; docs/accuracy.md derives the bounds. */
+@Slow
 class GlAgainstTruthRenderTest {
     @ParameterizedTest
     @EnumSource(Step::class)

@@ -2,6 +2,7 @@ package cga.measure.accuracy
 
 import cga.framework.InputError
 import cga.testing.Need
+import cga.testing.Slow
 import org.junit.jupiter.api.Assertions.assertEquals
 import org.junit.jupiter.api.Assertions.assertTrue
 import org.junit.jupiter.api.Test
@@ -13,6 +14,7 @@ import kotlin.io.path.Path
 import kotlin.io.path.readText
 import kotlin.io.path.writeText
 
+@Slow
 class OracleTest {
     @TempDir
     private lateinit var folder: Path

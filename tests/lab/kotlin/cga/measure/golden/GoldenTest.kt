@@ -8,6 +8,7 @@ import cga.imaging.Severity
 import cga.imaging.report.HtmlReport
 import cga.testing.Need
 import cga.testing.Offscreen
+import cga.testing.Slow
 import cga.testing.projectRoot
 import org.junit.jupiter.api.Assertions.assertEquals
 import org.junit.jupiter.api.Assertions.assertTrue
@@ -21,6 +22,7 @@ import java.nio.file.Path
 import kotlin.io.path.exists
 
 /** The scene still looks as it was approved: what `./cga golden` says, one test a case. */
+@Slow
 class GoldenTest {
     @BeforeEach
     fun `there is a context`() = Offscreen.openOrSkip().close()

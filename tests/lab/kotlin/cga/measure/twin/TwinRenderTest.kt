@@ -8,6 +8,7 @@ import cga.framework.image.ImageData
 import cga.testing.FLOAT_ROUNDING
 import cga.testing.Need
 import cga.testing.Offscreen
+import cga.testing.Slow
 import org.junit.jupiter.api.Assertions.assertArrayEquals
 import org.junit.jupiter.api.Assertions.assertEquals
 import org.junit.jupiter.api.Assertions.assertNotEquals
@@ -26,6 +27,7 @@ import kotlin.math.sqrt
 
 /** The C++ twin draws through the same library in a process of its own. */
 @TestInstance(TestInstance.Lifecycle.PER_CLASS)
+@Slow
 class TwinRenderTest {
     private lateinit var twin: Twin
 

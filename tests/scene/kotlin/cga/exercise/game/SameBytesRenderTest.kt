@@ -7,6 +7,7 @@ import cga.framework.context.ContextUnavailable
 import cga.framework.context.OffscreenContext
 import cga.testing.CgaProcess
 import cga.testing.Offscreen
+import cga.testing.Slow
 import org.junit.jupiter.api.Assertions.assertArrayEquals
 import org.junit.jupiter.api.Assertions.assertEquals
 import org.junit.jupiter.api.Assertions.assertTrue
@@ -24,6 +25,7 @@ private const val T = 5.5
 /** A step is drawn always alike, on whatever of Mesa's contexts and with however many threads, and holds only sound numbers. */
 @ExtendWith(Offscreen::class)
 @TestInstance(TestInstance.Lifecycle.PER_CLASS)
+@Slow
 class SameBytesRenderTest {
     private val shared = scene()
 

@@ -5,6 +5,7 @@ import cga.framework.image.FloatImage
 import cga.framework.image.ImageData
 import cga.framework.image.PngFile
 import cga.testing.CgaProcess
+import cga.testing.Slow
 import org.junit.jupiter.api.Assertions.assertArrayEquals
 import org.junit.jupiter.api.Assertions.assertEquals
 import org.junit.jupiter.api.Assertions.assertFalse
@@ -20,6 +21,7 @@ import kotlin.io.path.writeBytes
 import kotlin.io.path.writeText
 
 /** `cga diff` as its users start it. */
+@Slow
 class DiffCommandTest {
     @TempDir
     private lateinit var folder: Path

@@ -3,6 +3,7 @@ package cga.cli
 import cga.framework.image.ImageData
 import cga.framework.image.readExr
 import cga.testing.CgaProcess
+import cga.testing.Slow
 import cga.testing.withoutOpenGL
 import org.junit.jupiter.api.Assertions.assertEquals
 import org.junit.jupiter.api.Assertions.assertTrue
@@ -15,6 +16,7 @@ import kotlin.io.path.readText
 import kotlin.math.abs
 
 /** `cga render --context reference`, on a machine that hides its OpenGL. */
+@Slow
 class ReferenceRenderTest {
     @TempDir
     private lateinit var folder: Path

@@ -1,5 +1,6 @@
 package cga.imaging
 
+import cga.testing.Slow
 import cga.testing.projectRoot
 import org.junit.jupiter.api.Assertions.assertTimeoutPreemptively
 import org.junit.jupiter.api.Assertions.assertTrue
@@ -10,6 +11,7 @@ import java.time.Duration
 import kotlin.random.Random
 
 /** The inputs that fuzzing kept (tests/fuzz/run.sh), and a few thousand new ones made of them, the same in every run. */
+@Slow
 class FuzzTest {
     private class Target(
         val name: String,

@@ -1,6 +1,7 @@
 package cga.build
 
-import cga.testing.Offscreen
+import cga.testing.Need
+import cga.testing.Slow
 import cga.testing.projectRoot
 import org.junit.jupiter.api.Assertions.assertEquals
 import org.junit.jupiter.api.Test
@@ -17,12 +18,13 @@ import kotlin.io.path.walk
 import kotlin.io.path.writeText
 
 /** Maven compiles what changed only; what is gone must not live on in the class folders. */
+@Slow
 class IncrementalBuildTest {
     @Test
     fun `the classes of deleted and renamed files vanish, tests included`(
         @TempDir folder: Path,
     ) {
-        if (System.getenv("PATH").split(File.pathSeparator).none { File(it, "mvn").canExecute() }) Offscreen.skip("needs Maven")
+        if (System.getenv("PATH").split(File.pathSeparator).none { File(it, "mvn").canExecute() }) Need.MAVEN.skip("needs Maven: apt-get install maven")
         val sources = folder.resolve("src/scene/kotlin").createDirectories()
         val tests = folder.resolve("tests/scene/kotlin").createDirectories()
         copyBuild(folder)

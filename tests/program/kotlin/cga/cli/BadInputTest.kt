@@ -1,6 +1,7 @@
 package cga.cli
 
 import cga.testing.CgaProcess
+import cga.testing.Slow
 import cga.testing.projectRoot
 import org.junit.jupiter.api.Assertions.assertEquals
 import org.junit.jupiter.api.Assertions.assertTrue
@@ -29,6 +30,7 @@ import kotlin.io.path.writeText
  * the cure, without a stack trace, and leaves nothing behind.
  */
 @TestInstance(TestInstance.Lifecycle.PER_CLASS)
+@Slow
 class BadInputTest {
     /** The program's shaders and assets, one of them broken at a time. */
     private lateinit var home: Path

@@ -1,10 +1,11 @@
 package cga.cli
 
+import cga.testing.Need
+import cga.testing.Slow
 import cga.testing.projectRoot
 import org.junit.jupiter.api.Assertions.assertEquals
 import org.junit.jupiter.api.Assertions.assertTrue
 import org.junit.jupiter.api.Assumptions.assumeFalse
-import org.junit.jupiter.api.Assumptions.assumeTrue
 import org.junit.jupiter.api.BeforeEach
 import org.junit.jupiter.api.Test
 import org.junit.jupiter.params.ParameterizedTest
@@ -13,6 +14,7 @@ import java.io.File
 import java.util.concurrent.TimeUnit
 
 /** The launcher `./cga`, tried by the shell tests in `tests/launcher` on stubs of all that it calls. */
+@Slow
 class LauncherTest {
     @BeforeEach
     fun `there is a shell`() = assumeFalse(System.getProperty("os.name").startsWith("Windows"), "the launcher is for POSIX shells")
@@ -24,8 +26,7 @@ class LauncherTest {
     @Test
     fun `shellcheck finds nothing`() {
         val found = System.getenv("PATH").split(File.pathSeparator).any { File(it, "shellcheck").canExecute() }
-        if (System.getenv("CI") == "true") assertTrue(found) { "needs shellcheck: apt-get install shellcheck" }
-        assumeTrue(found, "needs shellcheck: apt-get install shellcheck")
+        if (!found) Need.SHELLCHECK.skip("needs shellcheck: apt-get install shellcheck")
         run("shellcheck", "-x", "-P", "SCRIPTDIR", "-P", ".", "cga", ".ci/run", *scripts().toTypedArray())
     }
 

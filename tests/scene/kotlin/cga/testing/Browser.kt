@@ -187,7 +187,7 @@ class Browser private constructor(program: Path) : AutoCloseable, WebSocket.List
         private const val LIMIT_SECONDS = 30L
 
         /** A new browser. Where there is none the test is skipped, and in CI it fails. */
-        fun openOrSkip(): Browser = Browser(find() ?: Offscreen.skip("needs Chromium or Chrome: apt-get install chromium"))
+        fun openOrSkip(): Browser = Browser(find() ?: Need.BROWSER.skip("needs Chromium or Chrome: apt-get install chromium"))
 
         private fun find() =
             listOf("chromium", "chromium-browser", "google-chrome").firstNotNullOfOrNull { name ->

@@ -69,15 +69,19 @@ class CgaProcess private constructor(
             main: String,
             args: List<String>,
             home: Path,
-        ): List<String> =
-            listOf(
-                Path.of(System.getProperty("java.home"), "bin", "java").toString(),
-                "-XX:TieredStopAtLevel=1",
-                "-XX:+UseSerialGC",
-                "-Xshare:auto",
-                "-Djava.awt.headless=true",
-                "-Dcga.home=$home",
-            ) + nativeAccess() + listOf("-cp", absoluteClassPath(), main) + args
+        ): List<String> {
+            val java =
+                listOf(
+                    Path.of(System.getProperty("java.home"), "bin", "java").toString(),
+                    "-XX:TieredStopAtLevel=1",
+                    "-XX:+UseSerialGC",
+                    "-Xshare:auto",
+                    "-Djava.awt.headless=true",
+                    "-Dcga.home=$home",
+                ) + nativeAccess()
+            val classPath = absoluteClassPath()
+            return java + ProgramArchive.options(java - "-Dcga.home=$home", classPath) + listOf("-cp", classPath, main) + args
+        }
 
         private fun nativeAccess(): List<String> =
             if (Runtime.version().feature() < 24) {

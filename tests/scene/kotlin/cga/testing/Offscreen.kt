@@ -3,8 +3,6 @@ package cga.testing
 import cga.framework.context.ContextKind
 import cga.framework.context.ContextUnavailable
 import cga.framework.context.OffscreenContext
-import org.junit.jupiter.api.Assertions.fail
-import org.junit.jupiter.api.Assumptions.abort
 import org.junit.jupiter.api.extension.AfterAllCallback
 import org.junit.jupiter.api.extension.BeforeAllCallback
 import org.junit.jupiter.api.extension.ExtensionContext
@@ -29,10 +27,10 @@ class Offscreen :
             try {
                 OffscreenContext.open(kind)
             } catch (e: ContextUnavailable) {
-                skip(e.message.orEmpty())
+                needed(kind).skip(e.message.orEmpty())
             }
 
-        /** Ends the test as skipped for want of something that this machine lacks; in CI, which shall lack nothing, as failed. */
-        fun skip(reason: String): Nothing = if (System.getenv("CI") == null) abort(reason) else fail(reason)
+        /** What a context of [kind] is called among the needs of tests. */
+        fun needed(kind: ContextKind?): Need = kind?.let { Need.valueOf(it.name) } ?: Need.OPENGL
     }
 }

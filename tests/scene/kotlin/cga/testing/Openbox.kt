@@ -31,7 +31,7 @@ class Openbox private constructor(private val display: Xvfb) : AutoCloseable {
 
         /** Starts it. Where it is missing the test is skipped, and in CI it fails. */
         fun startOrSkip(display: Xvfb): Openbox {
-            if (!Xvfb.isInstalled("openbox")) Offscreen.skip("needs openbox: apt-get install openbox")
+            if (!Xvfb.isInstalled("openbox")) Need.XVFB.skip("needs openbox: apt-get install openbox")
             return Openbox(display)
         }
     }

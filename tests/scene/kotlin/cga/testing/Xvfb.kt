@@ -90,7 +90,7 @@ class Xvfb private constructor(private val size: String) : AutoCloseable {
         /** A new display of [size] pixels. Where Xvfb or xdotool is missing the test is skipped, and in CI it fails. */
         fun openOrSkip(size: String = "1280x800"): Xvfb {
             val missing = listOf("Xvfb", "xdotool").filterNot(::isInstalled)
-            if (missing.isNotEmpty()) Offscreen.skip("needs ${missing.joinToString(" and ")}: apt-get install xvfb xdotool")
+            if (missing.isNotEmpty()) Need.XVFB.skip("needs ${missing.joinToString(" and ")}: apt-get install xvfb xdotool")
             return Xvfb(size)
         }
 

@@ -4,6 +4,7 @@ import cga.exercise.game.RunningGame
 import cga.framework.image.ImageData
 import cga.testing.CgaProcess.Companion.cga
 import cga.testing.OnXvfb
+import cga.testing.Slow
 import cga.testing.Xvfb
 import cga.testing.projectRoot
 import org.junit.jupiter.api.Assertions.assertArrayEquals
@@ -23,6 +24,7 @@ import kotlin.math.abs
 
 /** The inspector in the real window: another process on a virtual display, keys and mouse from outside, and what the screen shows. */
 @ExtendWith(OnXvfb::class)
+@Slow
 class InspectedWindowTest(private val display: Xvfb) {
     @TempDir
     private lateinit var directory: Path

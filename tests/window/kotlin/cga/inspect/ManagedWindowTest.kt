@@ -6,6 +6,7 @@ import cga.testing.CgaProcess.Companion.cga
 import cga.testing.OnXvfb
 import cga.testing.Openbox
 import cga.testing.OtherWindow
+import cga.testing.Slow
 import cga.testing.Xvfb
 import cga.testing.projectRoot
 import org.junit.jupiter.api.Assertions.assertArrayEquals
@@ -20,6 +21,7 @@ import kotlin.math.abs
 
 /** The real window under a window manager: whatever that does to it, it goes on with the same picture, and tells no OpenGL error. */
 @ExtendWith(OnXvfb::class)
+@Slow
 class ManagedWindowTest(private val display: Xvfb) {
     @TempDir
     private lateinit var directory: Path

@@ -9,6 +9,7 @@ import cga.grading.study.CourseShaders
 import cga.grading.study.SceneCapture
 import cga.grading.study.ShaderStudy
 import cga.testing.Offscreen
+import cga.testing.Slow
 import org.junit.jupiter.api.Assertions.assertEquals
 import org.junit.jupiter.api.Assertions.assertTrue
 import org.junit.jupiter.api.Test
@@ -21,6 +22,7 @@ import kotlin.math.abs
 
 /** The pictures of a report: the submission's beside the reference's. */
 @ExtendWith(Offscreen::class)
+@Slow
 class ScenePicturesTest {
     @TempDir
     lateinit var folder: Path

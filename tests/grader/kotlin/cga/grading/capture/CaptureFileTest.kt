@@ -1,5 +1,6 @@
 package cga.grading.capture
 
+import cga.testing.Slow
 import com.sun.management.ThreadMXBean
 import org.junit.jupiter.api.Assertions.assertArrayEquals
 import org.junit.jupiter.api.Assertions.assertEquals
@@ -22,6 +23,7 @@ import kotlin.io.path.readBytes
 import kotlin.io.path.writeBytes
 import kotlin.random.Random
 
+@Slow
 class CaptureFileTest {
     @TempDir
     private lateinit var folder: Path

@@ -1,6 +1,7 @@
 package cga.grading.compile
 
 import cga.grading.submission.NamedLibrary
+import cga.testing.Slow
 import com.sun.net.httpserver.HttpServer
 import org.junit.jupiter.api.AfterEach
 import org.junit.jupiter.api.Assertions.assertEquals
@@ -21,6 +22,7 @@ import kotlin.io.path.readText
 import kotlin.io.path.writeText
 
 /** Against a repository of our own on this machine. */
+@Slow
 class RepositoryTest {
     @TempDir
     lateinit var folder: Path

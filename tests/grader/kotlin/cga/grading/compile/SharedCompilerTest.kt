@@ -8,6 +8,7 @@ import cga.grading.sandbox.Sandbox
 import cga.grading.sandbox.Scratch
 import cga.grading.submission.MadeUp
 import cga.grading.submission.SubmissionReader
+import cga.testing.Slow
 import org.junit.jupiter.api.AfterEach
 import org.junit.jupiter.api.Assertions.assertArrayEquals
 import org.junit.jupiter.api.Assertions.assertEquals
@@ -28,6 +29,7 @@ import kotlin.io.path.writeBytes
 import kotlin.io.path.writeText
 
 /** With the real compiler in the real sandbox, but where the compiler itself is played by somebody who lies. */
+@Slow
 class SharedCompilerTest {
     private val folder = createTempDirectory("shared")
     private val compiler = CompilerCache(Path.of("build/compilers").toAbsolutePath()).newest()

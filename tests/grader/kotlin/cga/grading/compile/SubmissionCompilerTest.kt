@@ -6,6 +6,7 @@ import cga.grading.sandbox.Job
 import cga.grading.sandbox.Scratch
 import cga.grading.submission.MadeUp
 import cga.grading.submission.SubmissionReader
+import cga.testing.Slow
 import org.junit.jupiter.api.AfterEach
 import org.junit.jupiter.api.Assertions.assertEquals
 import org.junit.jupiter.api.Assertions.assertTrue
@@ -15,6 +16,7 @@ import kotlin.io.path.createDirectories
 import kotlin.io.path.createTempDirectory
 
 /** With the real compiler in the real sandbox. */
+@Slow
 class SubmissionCompilerTest {
     private val folder = createTempDirectory("compile")
     private val sandbox = Hostile.confined()

@@ -1,5 +1,6 @@
 package cga.grading.corpus
 
+import cga.testing.projectRoot
 import org.jetbrains.kotlin.cli.common.ExitCode
 import org.jetbrains.kotlin.cli.jvm.K2JVMCompiler
 import java.io.ByteArrayOutputStream
@@ -9,9 +10,13 @@ import java.nio.file.Path
 
 /** Kotlin compiled in this process, against the libraries of the tests and none of our own classes. */
 internal object Compiled {
-    /** The jars on this process's class path. */
+    /** The jars on this process's class path that were not made here. */
     val libraries: String =
-        System.getProperty("java.class.path").split(File.pathSeparator).filter { it.endsWith(".jar") }.joinToString(File.pathSeparator)
+        System
+            .getProperty("java.class.path")
+            .split(File.pathSeparator)
+            .filter { it.endsWith(".jar") && !File(it).startsWith(projectRoot) }
+            .joinToString(File.pathSeparator)
 
     /**
      * Compiles all Kotlin below [folders], against [more] libraries, into [target]; returns what the compiler has to complain of, nothing

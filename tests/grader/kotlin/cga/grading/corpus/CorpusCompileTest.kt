@@ -1,5 +1,6 @@
 package cga.grading.corpus
 
+import cga.testing.Slow
 import org.junit.jupiter.api.Assertions.assertEquals
 import org.junit.jupiter.api.Assertions.assertTrue
 import org.junit.jupiter.api.Test
@@ -15,6 +16,7 @@ import kotlin.io.path.writeText
  * The Kotlin of the corpus compiles: of the project itself, and of a mixture with much in it. With `-Dcga.corpus=all` that of every
  * submission, which takes some minutes.
  */
+@Slow
 internal class CorpusCompileTest {
     @ParameterizedTest
     @MethodSource("chosen")

@@ -3,6 +3,7 @@ package cga.grading.course
 import cga.framework.InputError
 import cga.grading.report.Language
 import cga.grading.rubric.Rubric
+import cga.testing.Slow
 import org.junit.jupiter.api.Assertions.assertEquals
 import org.junit.jupiter.api.Assertions.assertFalse
 import org.junit.jupiter.api.Assertions.assertTrue
@@ -22,6 +23,7 @@ import kotlin.io.path.name
 import kotlin.io.path.readText
 import kotlin.io.path.writeText
 
+@Slow
 class CourseRunTest {
     @TempDir
     lateinit var folder: Path

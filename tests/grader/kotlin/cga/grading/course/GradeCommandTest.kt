@@ -2,6 +2,7 @@ package cga.grading.course
 
 import cga.cli.grader.GradeCommand
 import cga.framework.InputError
+import cga.testing.Slow
 import com.github.ajalt.clikt.core.CliktError
 import com.github.ajalt.clikt.core.ProgramResult
 import com.github.ajalt.clikt.core.parse
@@ -17,6 +18,7 @@ import kotlin.io.path.exists
 import kotlin.io.path.readLines
 import kotlin.io.path.readText
 
+@Slow
 class GradeCommandTest {
     @TempDir
     lateinit var folder: Path

@@ -1,6 +1,7 @@
 package cga.grading.course
 
 import cga.testing.CgaProcess
+import cga.testing.Slow
 import cga.testing.projectRoot
 import org.junit.jupiter.api.Assertions.assertEquals
 import org.junit.jupiter.api.Assertions.assertTrue
@@ -17,6 +18,7 @@ import kotlin.io.path.readLines
 import kotlin.io.path.readText
 
 /** A course that is killed in the middle, as an operating system kills: nothing is asked, nothing is told. */
+@Slow
 class KilledCourseTest {
     @TempDir
     lateinit var folder: Path

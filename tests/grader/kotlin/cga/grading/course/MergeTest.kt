@@ -1,6 +1,7 @@
 package cga.grading.course
 
 import cga.framework.InputError
+import cga.testing.Slow
 import org.junit.jupiter.api.Assertions.assertEquals
 import org.junit.jupiter.api.Assertions.assertTrue
 import org.junit.jupiter.api.Test
@@ -12,6 +13,7 @@ import kotlin.io.path.exists
 import kotlin.io.path.readLines
 import kotlin.io.path.writeText
 
+@Slow
 class MergeTest {
     @TempDir
     lateinit var folder: Path

@@ -16,6 +16,7 @@ import cga.grading.rubric.Rubric
 import cga.grading.sandbox.Hostile
 import cga.grading.sandbox.Limits
 import cga.grading.scene.SceneJudge
+import cga.testing.Slow
 import org.junit.jupiter.api.AfterAll
 import org.junit.jupiter.api.Assertions.assertEquals
 import org.junit.jupiter.api.Assertions.assertFalse
@@ -51,6 +52,7 @@ import kotlin.io.path.writeText
 
 /** One course of hostile submissions and a good one, through the whole pipeline, two at a time: each costs only itself. */
 @TestInstance(TestInstance.Lifecycle.PER_CLASS)
+@Slow
 class HostileTest {
     private val folder = createTempDirectory("hostile-course")
     private val inputs = folder.resolve("in").createDirectories()
@@ -64,8 +66,8 @@ class HostileTest {
     fun gradeAll() {
         val submissions = submissions()
         inputs.resolve("read/assets/link").createSymbolicLinkPointingTo(secret)
-        // An honest run takes a tenth of these.
-        val limits = PipelineLimits(run = Limits(wallSeconds = 60.0, cpuSeconds = 20.0))
+        // An honest run takes a fifth of the processor's time.
+        val limits = PipelineLimits(run = Limits(wallSeconds = 60.0, cpuSeconds = 10.0))
         val settings = CourseSettings(Rubric.default(), Language.ENGLISH, jobs = 2)
         ResultStore.open(out, resume = false).use { store ->
             Pipeline(Hostile.confined(), null, COMPILERS, limits, sharesCompiler = true).use { pipeline ->

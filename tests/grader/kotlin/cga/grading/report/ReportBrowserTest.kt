@@ -4,6 +4,7 @@ import cga.grading.course.CourseReport
 import cga.grading.findings.FailureReason
 import cga.grading.findings.Graded
 import cga.testing.Browser
+import cga.testing.Slow
 import kotlinx.serialization.json.double
 import kotlinx.serialization.json.jsonPrimitive
 import org.junit.jupiter.api.AfterAll
@@ -18,6 +19,7 @@ import java.nio.file.Path
 
 /** The pages as a student and a grader have them: opened from files in a browser, used with mouse and keys. */
 @TestInstance(TestInstance.Lifecycle.PER_CLASS)
+@Slow
 class ReportBrowserTest {
     private lateinit var folder: Path
     private lateinit var browser: Browser

@@ -6,6 +6,7 @@ import cga.grading.findings.Check
 import cga.grading.findings.FailureReason
 import cga.grading.findings.Measured
 import cga.grading.rubric.Rubric
+import cga.testing.Slow
 import kotlinx.serialization.json.Json
 import kotlinx.serialization.json.JsonObject
 import kotlinx.serialization.json.double
@@ -24,6 +25,7 @@ import javax.xml.parsers.DocumentBuilderFactory
 import kotlin.io.path.readText
 
 /** What other programs read: the table, JUnit's XML, Gradescope's JSON. */
+@Slow
 class TablesTest {
     @TempDir
     lateinit var folder: Path

@@ -1,6 +1,7 @@
 package cga.grading.sandbox
 
 import cga.grading.capture.WorkerFiles
+import cga.testing.Slow
 import org.junit.jupiter.api.AfterEach
 import org.junit.jupiter.api.Assertions.assertEquals
 import org.junit.jupiter.api.Assertions.assertNotEquals
@@ -17,6 +18,7 @@ import kotlin.io.path.readLines
 import kotlin.io.path.readText
 import kotlin.io.path.setLastModifiedTime
 
+@Slow
 class ClassArchiveTest {
     private val folder = createTempDirectory("class-archive")
     private val jar = folder.resolve("worker.jar").also(WorkerFiles::writeJar)

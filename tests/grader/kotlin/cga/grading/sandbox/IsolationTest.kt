@@ -1,6 +1,7 @@
 package cga.grading.sandbox
 
 import cga.framework.InputError
+import cga.testing.Slow
 import org.junit.jupiter.api.AfterEach
 import org.junit.jupiter.api.Assertions.assertEquals
 import org.junit.jupiter.api.Assertions.assertFalse
@@ -17,6 +18,7 @@ import kotlin.io.path.readText
 import kotlin.io.path.writeText
 
 /** What a job can see and reach. */
+@Slow
 class IsolationTest {
     private val hostile = Hostile()
 

@@ -1,5 +1,6 @@
 package cga.grading.sandbox
 
+import cga.testing.Slow
 import org.junit.jupiter.api.AfterEach
 import org.junit.jupiter.api.Assertions.assertEquals
 import org.junit.jupiter.api.Assertions.assertFalse
@@ -8,6 +9,7 @@ import org.junit.jupiter.api.Test
 import java.util.UUID
 
 /** Each way of using too much, and how it is reported. */
+@Slow
 class LimitsTest {
     private val hostile = Hostile()
 

@@ -2,6 +2,7 @@ package cga.grading.starter
 
 import cga.framework.InputError
 import cga.testing.CgaProcess
+import cga.testing.Slow
 import cga.testing.projectRoot
 import org.junit.jupiter.api.Assertions.assertArrayEquals
 import org.junit.jupiter.api.Assertions.assertEquals
@@ -21,6 +22,7 @@ import kotlin.io.path.readBytes
 import kotlin.io.path.readText
 import kotlin.io.path.writeText
 
+@Slow
 class StarterExportTest {
     @Test
     fun `the starter and what was cut out of it are the solution, byte for byte`(

@@ -5,6 +5,7 @@ import cga.exercise.game.Step
 import cga.framework.RenderTarget
 import cga.grading.corpus.Compiled
 import cga.testing.Offscreen
+import cga.testing.Slow
 import org.junit.jupiter.api.Assertions.assertArrayEquals
 import org.junit.jupiter.api.Assertions.assertEquals
 import org.junit.jupiter.api.Assertions.assertTrue
@@ -19,6 +20,7 @@ import kotlin.io.path.writeText
 
 /** The starter compiles by itself, and draws step 4.1 of the solution, to the byte; at every step, for none is solved. */
 @ExtendWith(Offscreen::class)
+@Slow
 class StarterRenderTest {
     @Test
     fun `it draws step 4,1`(

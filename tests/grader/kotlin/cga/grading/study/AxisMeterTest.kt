@@ -1,6 +1,7 @@
 package cga.grading.study
 
 import cga.testing.Offscreen
+import cga.testing.Slow
 import cga.testing.assertNear
 import org.joml.Matrix4d
 import org.joml.Vector3d
@@ -10,6 +11,7 @@ import org.junit.jupiter.api.extension.ExtendWith
 
 /** A cone that no uniform is the direction of. */
 @ExtendWith(Offscreen::class)
+@Slow
 class AxisMeterTest {
     private val scene = TestScene()
     private val aims = listOf(Vector3d(scene.spotDirection), Vector3d(scene.spotDirection).rotateY(0.7))

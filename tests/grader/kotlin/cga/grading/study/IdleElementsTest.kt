@@ -2,11 +2,13 @@ package cga.grading.study
 
 import cga.framework.context.OffscreenContext
 import cga.grading.scene.ObservedFrame
+import cga.testing.Slow
 import org.joml.Vector3d
 import org.junit.jupiter.api.Assertions.assertEquals
 import org.junit.jupiter.api.Assertions.assertTrue
 import org.junit.jupiter.api.Test
 
+@Slow
 class IdleElementsTest {
     private val scene = TestScene()
     private val first = "result += shade(n, lp, v, diffuse, specular) * pointLightColor * attenuate(dp, pointLightAttenuation);"

@@ -1,12 +1,14 @@
 package cga.grading.study
 
 import cga.testing.Offscreen
+import cga.testing.Slow
 import org.junit.jupiter.api.Assertions.assertEquals
 import org.junit.jupiter.api.Assertions.assertTrue
 import org.junit.jupiter.api.Test
 import org.junit.jupiter.api.extension.ExtendWith
 
 @ExtendWith(Offscreen::class)
+@Slow
 class LentColorTest {
     private fun lent(fragment: String) = SceneCapture.of(CourseShaders.VERTEX, fragment).study().lent
 

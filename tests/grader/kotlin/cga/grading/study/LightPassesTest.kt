@@ -6,6 +6,7 @@ import cga.grading.capture.CapturedDraw
 import cga.grading.capture.CapturedFrame
 import cga.grading.capture.DrawState
 import cga.grading.scene.ObservedFrame
+import cga.testing.Slow
 import org.joml.Matrix4dc
 import org.joml.Vector3d
 import org.junit.jupiter.api.Assertions.assertEquals
@@ -13,6 +14,7 @@ import org.junit.jupiter.api.Test
 import org.lwjgl.opengl.GL33C.GL_ONE
 import org.lwjgl.opengl.GL33C.GL_ONE_MINUS_SRC_ALPHA
 
+@Slow
 class LightPassesTest {
     private val scene = TestScene()
     private val moved = Vector3d(4.0, 1.0, 2.0)

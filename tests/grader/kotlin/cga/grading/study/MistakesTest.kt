@@ -2,6 +2,7 @@ package cga.grading.study
 
 import cga.grading.findings.Mistake
 import cga.testing.Offscreen
+import cga.testing.Slow
 import org.joml.Matrix4dc
 import org.joml.Vector3d
 import org.junit.jupiter.api.Assertions.assertEquals
@@ -12,6 +13,7 @@ import org.junit.jupiter.api.extension.ExtendWith
 import kotlin.math.cos
 
 @ExtendWith(Offscreen::class)
+@Slow
 class MistakesTest {
     private val scene = TestScene()
 

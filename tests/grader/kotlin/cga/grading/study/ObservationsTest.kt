@@ -4,12 +4,14 @@ import cga.framework.context.OffscreenContext
 import cga.grading.capture.Capture
 import cga.grading.capture.CapturedFrame
 import cga.grading.scene.ObservedFrame
+import cga.testing.Slow
 import org.joml.Matrix4d
 import org.joml.Vector3d
 import org.junit.jupiter.api.Assertions.assertEquals
 import org.junit.jupiter.api.Assertions.assertTrue
 import org.junit.jupiter.api.Test
 
+@Slow
 class ObservationsTest {
     private val scene = TestScene()
     private val above = Matrix4d().lookAt(Vector3d(0.0, 30.0, 0.0), Vector3d(), Vector3d(0.0, 0.0, -1.0))

@@ -1,6 +1,7 @@
 package cga.grading.study
 
 import cga.testing.Offscreen
+import cga.testing.Slow
 import cga.testing.assertNear
 import org.joml.Matrix3d
 import org.joml.Matrix4d
@@ -16,6 +17,7 @@ import kotlin.math.cos
 
 /** The shaders that every starter submission begins with. */
 @ExtendWith(Offscreen::class)
+@Slow
 class OwnShadersTest {
     private val scene = TestScene()
 

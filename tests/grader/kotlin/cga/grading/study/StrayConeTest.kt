@@ -2,6 +2,7 @@ package cga.grading.study
 
 import cga.grading.findings.Check
 import cga.testing.Offscreen
+import cga.testing.Slow
 import cga.testing.assertNear
 import org.joml.Vector3d
 import org.junit.jupiter.api.Assertions.assertEquals
@@ -10,6 +11,7 @@ import org.junit.jupiter.api.Test
 import org.junit.jupiter.api.extension.ExtendWith
 
 @ExtendWith(Offscreen::class)
+@Slow
 class StrayConeTest {
     private val scene = TestScene()
 

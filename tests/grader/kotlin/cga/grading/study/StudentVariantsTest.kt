@@ -1,6 +1,7 @@
 package cga.grading.study
 
 import cga.testing.Offscreen
+import cga.testing.Slow
 import cga.testing.assertNear
 import org.joml.Matrix4d
 import org.joml.Vector3d
@@ -13,6 +14,7 @@ import org.junit.jupiter.api.extension.ExtendWith
 
 /** Correct shaders as students write them who do not follow the sheet's wording: none of this is a mistake. */
 @ExtendWith(Offscreen::class)
+@Slow
 class StudentVariantsTest {
     private val scene = TestScene()
 

@@ -1,6 +1,7 @@
 package cga.grading.study
 
 import cga.testing.Offscreen
+import cga.testing.Slow
 import cga.testing.assertNear
 import org.joml.Matrix3d
 import org.joml.Matrix4d
@@ -14,6 +15,7 @@ import org.junit.jupiter.api.TestFactory
 import org.junit.jupiter.api.extension.ExtendWith
 
 @ExtendWith(Offscreen::class)
+@Slow
 class VariantsTest {
     private val scene = TestScene()
 

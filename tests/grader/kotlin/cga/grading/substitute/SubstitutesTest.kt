@@ -11,6 +11,7 @@ import cga.grading.study.ShaderStudy
 import cga.grading.study.TestScene
 import cga.grading.worker.ShaderStub
 import cga.testing.Offscreen
+import cga.testing.Slow
 import org.joml.Matrix4d
 import org.joml.Matrix4dc
 import org.joml.Vector3d
@@ -26,6 +27,7 @@ import org.junit.jupiter.api.extension.ExtendWith
  * what was sent.
  */
 @ExtendWith(Offscreen::class)
+@Slow
 class SubstitutesTest {
     private val scene = TestScene()
 

@@ -2,11 +2,13 @@ package cga.grading.worker
 
 import cga.grading.capture.Moment
 import cga.grading.capture.StandIn
+import cga.testing.Slow
 import org.junit.jupiter.api.Assertions.assertEquals
 import org.junit.jupiter.api.Assertions.assertTrue
 import org.junit.jupiter.api.Test
 
 /** A game of the course's own kind, compiled with the stand-in by another compiler than ours. */
+@Slow
 class StandInTest {
     private val game =
         """

@@ -7,6 +7,7 @@ import cga.grading.capture.Moment
 import cga.grading.capture.WriteMask
 import cga.grading.replay.Replay
 import cga.testing.Offscreen
+import cga.testing.Slow
 import org.junit.jupiter.api.Assertions.assertArrayEquals
 import org.junit.jupiter.api.Assertions.assertEquals
 import org.junit.jupiter.api.Assertions.assertFalse
@@ -19,6 +20,7 @@ import kotlin.io.path.exists
 
 /** Small programs run in a worker of their own, and what their captures tell. */
 @ExtendWith(Offscreen::class)
+@Slow
 class WorkerTest {
     private fun WorkerProcess.events(kind: EventKind) = capture.events.filter { it.kind == kind }.map { it.text }
 

@@ -2,6 +2,7 @@ package cga.cli.lab
 
 import cga.testing.CgaProcess
 import cga.testing.Offscreen
+import cga.testing.Slow
 import com.github.ajalt.clikt.core.parse
 import org.junit.jupiter.api.Assertions.assertEquals
 import org.junit.jupiter.api.Assertions.assertFalse
@@ -18,6 +19,7 @@ import kotlin.io.path.readText
 import kotlin.io.path.writeText
 
 /** `cga accuracy`: what it writes. The times are no test's business. */
+@Slow
 class AccuracyCommandTest {
     @TempDir
     private lateinit var folder: Path

@@ -2,6 +2,7 @@ package cga.cli.lab
 
 import cga.testing.CgaProcess
 import cga.testing.Offscreen
+import cga.testing.Slow
 import cga.testing.projectRoot
 import org.junit.jupiter.api.Assertions.assertArrayEquals
 import org.junit.jupiter.api.Assertions.assertEquals
@@ -22,6 +23,7 @@ import kotlin.io.path.readText
 import kotlin.io.path.writeText
 
 /** `cga golden` and `cga golden accept` as processes, in a copy of the project with goldens of its own. */
+@Slow
 class GoldenCommandTest {
     @TempDir
     private lateinit var folder: Path

@@ -3,6 +3,7 @@ package cga.cli.lab
 import cga.testing.CgaProcess
 import cga.testing.NO_DISPLAY
 import cga.testing.Offscreen
+import cga.testing.Slow
 import cga.testing.Xvfb
 import org.junit.jupiter.api.Assertions.assertEquals
 import org.junit.jupiter.api.Assertions.assertTrue
@@ -12,6 +13,7 @@ import org.junit.jupiter.api.io.TempDir
 import java.nio.file.Path
 
 /** `cga soak` as its users start it; what it searches with is tried by the tests of the search. */
+@Slow
 class SoakCommandTest {
     @TempDir
     private lateinit var folder: Path

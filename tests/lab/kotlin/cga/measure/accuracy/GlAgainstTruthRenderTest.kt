@@ -1,16 +1,18 @@
 package cga.measure.accuracy
 
 import cga.exercise.game.Step
+import cga.testing.Need
 import cga.testing.Offscreen
+import cga.testing.Slow
 import org.junit.jupiter.api.Assertions.assertEquals
 import org.junit.jupiter.api.Assertions.assertTrue
-import org.junit.jupiter.api.Assumptions.assumeTrue
 import org.junit.jupiter.api.BeforeAll
 import org.junit.jupiter.api.Test
 import org.junit.jupiter.params.ParameterizedTest
 import org.junit.jupiter.params.provider.EnumSource
 
 /** Every step drawn by OpenGL into a float target, against the reference; docs/accuracy.md derives the bounds. */
+@Slow
 class GlAgainstTruthRenderTest {
     @ParameterizedTest
     @EnumSource(Step::class)
@@ -35,7 +37,7 @@ class GlAgainstTruthRenderTest {
     @ParameterizedTest
     @EnumSource(Step::class)
     fun `with the driver's mip levels every pixel is within the bound of floats`(step: Step) {
-        assumeTrue(figures.all { it.isLlvmpipe }, "needs llvmpipe")
+        if (!figures.all { it.isLlvmpipe }) Need.LLVMPIPE.skip("needs llvmpipe")
         assertBounded(step, TexelGroup.KNOWN_LEVELS)
     }
 

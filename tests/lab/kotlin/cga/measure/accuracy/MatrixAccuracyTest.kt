@@ -1,6 +1,7 @@
 package cga.measure.accuracy
 
 import cga.testing.FLOAT_ROUNDING
+import cga.testing.Slow
 import org.joml.Matrix4d
 import org.joml.Vector3d
 import org.junit.jupiter.api.Assertions.assertEquals
@@ -10,6 +11,7 @@ import kotlin.math.abs
 import kotlin.math.sin
 
 /** Bounds are in ulps of a float of the column's largest number; u is a float's rounding, 2⁻²⁴ of a number, at most one such ulp. */
+@Slow
 class MatrixAccuracyTest {
     /**
      * JOML's double cosine is √(1 − sin²): near right angles the rounding of the sine and its square, 5/2·2⁻⁵³, becomes its root, 1.7e-8

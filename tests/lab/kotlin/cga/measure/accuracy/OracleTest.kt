@@ -1,7 +1,8 @@
 package cga.measure.accuracy
 
 import cga.framework.InputError
-import cga.testing.Offscreen
+import cga.testing.Need
+import cga.testing.Slow
 import org.junit.jupiter.api.Assertions.assertEquals
 import org.junit.jupiter.api.Assertions.assertTrue
 import org.junit.jupiter.api.Test
@@ -13,6 +14,7 @@ import kotlin.io.path.Path
 import kotlin.io.path.readText
 import kotlin.io.path.writeText
 
+@Slow
 class OracleTest {
     @TempDir
     private lateinit var folder: Path
@@ -82,11 +84,11 @@ class OracleTest {
             try {
                 compiler.redirectErrorStream(true).start()
             } catch (e: IOException) {
-                Offscreen.skip("needs g++: apt-get install g++ libglm-dev (${e.message})")
+                Need.GLM.skip("needs g++: apt-get install g++ libglm-dev (${e.message})")
             }
         val says = process.inputReader().readText()
         val lacks = listOf("needs GLM: apt-get install libglm-dev", "here long double is no better than double").find { it in says }
-        if (lacks != null) Offscreen.skip(lacks)
+        if (lacks != null) Need.GLM.skip(lacks)
         assertEquals(0, process.waitFor(), says)
         return program
     }

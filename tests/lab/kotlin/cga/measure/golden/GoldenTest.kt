@@ -6,7 +6,9 @@ import cga.imaging.BytePicture
 import cga.imaging.FloatPicture
 import cga.imaging.Severity
 import cga.imaging.report.HtmlReport
+import cga.testing.Need
 import cga.testing.Offscreen
+import cga.testing.Slow
 import cga.testing.projectRoot
 import org.junit.jupiter.api.Assertions.assertEquals
 import org.junit.jupiter.api.Assertions.assertTrue
@@ -20,6 +22,7 @@ import java.nio.file.Path
 import kotlin.io.path.exists
 
 /** The scene still looks as it was approved: what `./cga golden` says, one test a case. */
+@Slow
 class GoldenTest {
     @BeforeEach
     fun `there is a context`() = Offscreen.openOrSkip().close()
@@ -30,7 +33,7 @@ class GoldenTest {
         val result = GoldenRun().result(case)
         val outcome = result.outcome
         if (outcome.severity == Severity.FAIL) fail<Unit>(describe(result, folder()))
-        if (outcome.isSkipped) Offscreen.skip(outcome.messages.joinToString("\n"))
+        if (outcome.isSkipped) Need.LLVMPIPE.skip(outcome.messages.joinToString("\n"))
     }
 
     @Test

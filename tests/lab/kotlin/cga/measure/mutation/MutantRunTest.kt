@@ -8,6 +8,7 @@ import cga.imaging.tolerance.Tolerance
 import cga.measure.golden.GoldenCases
 import cga.measure.golden.GoldenRun
 import cga.testing.Offscreen
+import cga.testing.Slow
 import org.junit.jupiter.api.Assertions.assertEquals
 import org.junit.jupiter.api.Assertions.assertThrows
 import org.junit.jupiter.api.Assertions.assertTrue
@@ -18,6 +19,7 @@ import org.junit.jupiter.api.extension.ExtendWith
 /** The short form of `./cga golden mutants`: a few defects, on two cases, with the tolerance that the goldens have. */
 @ExtendWith(Offscreen::class)
 @TestInstance(TestInstance.Lifecycle.PER_CLASS)
+@Slow
 class MutantRunTest {
     private val cases = GoldenCases.all.filter { it.name in setOf("step-4.7", "switch-float") }
     private val tolerance = Tolerance.read(Home.resolve("${GoldenRun.FOLDER}/${GoldenStore.TOLERANCE}"), "llvmpipe")

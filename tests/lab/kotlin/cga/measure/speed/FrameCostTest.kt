@@ -9,6 +9,7 @@ import cga.framework.model.ModelFile
 import cga.grading.worker.Interception
 import cga.measure.accuracy.choices.PictureSize
 import cga.testing.Offscreen
+import cga.testing.Slow
 import org.junit.jupiter.api.Assertions.assertEquals
 import org.junit.jupiter.api.Assertions.assertTrue
 import org.junit.jupiter.api.Test
@@ -18,6 +19,7 @@ import java.nio.file.Path
 import kotlin.io.path.fileSize
 
 /** What a frame costs that no machine's mood changes. */
+@Slow
 class FrameCostTest {
     private val size = PictureSize(160, 90)
 

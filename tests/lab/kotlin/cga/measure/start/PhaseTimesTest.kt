@@ -3,6 +3,7 @@ package cga.measure.start
 import cga.framework.InputError
 import cga.testing.CgaProcess
 import cga.testing.Offscreen
+import cga.testing.Slow
 import org.junit.jupiter.api.Assertions.assertEquals
 import org.junit.jupiter.api.Assertions.assertTrue
 import org.junit.jupiter.api.Test
@@ -12,6 +13,7 @@ import java.nio.file.Path
 import kotlin.io.path.exists
 import kotlin.io.path.writeText
 
+@Slow
 class PhaseTimesTest {
     @Test
     fun `spans are read, and added up by name`(

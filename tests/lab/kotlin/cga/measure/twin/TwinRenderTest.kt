@@ -6,7 +6,9 @@ import cga.framework.InputError
 import cga.framework.context.ContextKind
 import cga.framework.image.ImageData
 import cga.testing.FLOAT_ROUNDING
+import cga.testing.Need
 import cga.testing.Offscreen
+import cga.testing.Slow
 import org.junit.jupiter.api.Assertions.assertArrayEquals
 import org.junit.jupiter.api.Assertions.assertEquals
 import org.junit.jupiter.api.Assertions.assertNotEquals
@@ -25,6 +27,7 @@ import kotlin.math.sqrt
 
 /** The C++ twin draws through the same library in a process of its own. */
 @TestInstance(TestInstance.Lifecycle.PER_CLASS)
+@Slow
 class TwinRenderTest {
     private lateinit var twin: Twin
 
@@ -36,7 +39,7 @@ class TwinRenderTest {
             try {
                 Twin.compile(folder)
             } catch (e: NoCompiler) {
-                Offscreen.skip(e.message.orEmpty())
+                Need.GLM.skip(e.message.orEmpty())
             }
     }
 

@@ -3,6 +3,7 @@ package cga.imaging.report
 import cga.imaging.Comparison
 import cga.imaging.Severity
 import cga.testing.Browser
+import cga.testing.Slow
 import kotlinx.serialization.json.boolean
 import kotlinx.serialization.json.double
 import kotlinx.serialization.json.int
@@ -18,6 +19,7 @@ import org.junit.jupiter.api.io.TempDir
 import java.nio.file.Path
 
 /** The page as a reader has it: opened from a file in a browser, used with mouse and keys. */
+@Slow
 class HtmlReportBrowserTest {
     @TempDir
     lateinit var folder: Path

@@ -5,6 +5,7 @@ import cga.exercise.game.Step
 import cga.framework.RenderTarget
 import cga.imaging.BytePicture
 import cga.testing.Offscreen
+import cga.testing.Slow
 import org.junit.jupiter.api.Assertions.assertTrue
 import org.junit.jupiter.api.Test
 import org.junit.jupiter.api.extension.ExtendWith
@@ -15,6 +16,7 @@ import kotlin.random.Random
 
 /** The promise to whoever mails a report: 40 cases of renders, all of which differ, stay below 10 MB. */
 @ExtendWith(Offscreen::class)
+@Slow
 class HtmlReportSizeRenderTest {
     @TempDir
     lateinit var folder: Path

@@ -8,6 +8,7 @@ import cga.imaging.Pixel
 import cga.imaging.Severity
 import cga.imaging.values
 import cga.imaging.written
+import cga.testing.Slow
 import org.junit.jupiter.api.Assertions.assertEquals
 import org.junit.jupiter.api.Assertions.assertFalse
 import org.junit.jupiter.api.Assertions.assertTrue
@@ -20,6 +21,7 @@ import java.security.MessageDigest
 import java.util.Base64
 import kotlin.random.Random
 
+@Slow
 class HtmlReportTest {
     @TempDir
     lateinit var folder: Path

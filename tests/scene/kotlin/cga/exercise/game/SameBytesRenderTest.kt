@@ -7,6 +7,7 @@ import cga.framework.context.ContextUnavailable
 import cga.framework.context.OffscreenContext
 import cga.testing.CgaProcess
 import cga.testing.Offscreen
+import cga.testing.Slow
 import org.junit.jupiter.api.Assertions.assertArrayEquals
 import org.junit.jupiter.api.Assertions.assertEquals
 import org.junit.jupiter.api.Assertions.assertTrue
@@ -24,6 +25,7 @@ private const val T = 5.5
 /** A step is drawn always alike, on whatever of Mesa's contexts and with however many threads, and holds only sound numbers. */
 @ExtendWith(Offscreen::class)
 @TestInstance(TestInstance.Lifecycle.PER_CLASS)
+@Slow
 class SameBytesRenderTest {
     private val shared = scene()
 
@@ -94,7 +96,7 @@ class SameBytesRenderTest {
         vararg env: Pair<String, String>,
     ): String {
         val process = CgaProcess.java(StepDigests::class.java.name, listOf(kind.name), Path.of(""), env = mapOf(*env))
-        if (process.exitCode == StepDigests.UNAVAILABLE) Offscreen.skip(process.err)
+        if (process.exitCode == StepDigests.UNAVAILABLE) Offscreen.needed(kind).skip(process.err)
         assertEquals(0, process.exitCode, process.toString())
         assertEquals(Step.entries.size * ColorFormat.entries.size * 2, process.out.trim().lines().size, process.toString())
         return process.out.trim()

@@ -3,6 +3,7 @@ package cga.cli.window
 import cga.testing.CgaProcess
 import cga.testing.NO_DISPLAY
 import cga.testing.Offscreen
+import cga.testing.Slow
 import cga.testing.projectRoot
 import cga.testing.withoutOpenGL
 import org.junit.jupiter.api.Assertions.assertEquals
@@ -15,6 +16,7 @@ import kotlin.io.path.readText
 import kotlin.io.path.writeText
 
 /** `cga doctor`: a row for each kind of context. */
+@Slow
 class DoctorTest {
     @Test
     fun `it lists each kind with version and renderer or the reason`(

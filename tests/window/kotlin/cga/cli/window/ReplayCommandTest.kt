@@ -4,6 +4,7 @@ import cga.framework.image.ImageData
 import cga.testing.CgaProcess
 import cga.testing.NO_DISPLAY
 import cga.testing.Offscreen
+import cga.testing.Slow
 import org.junit.jupiter.api.Assertions.assertArrayEquals
 import org.junit.jupiter.api.Assertions.assertEquals
 import org.junit.jupiter.api.Assertions.assertTrue
@@ -17,6 +18,7 @@ import kotlin.io.path.readBytes
 import kotlin.io.path.writeText
 
 /** `cga replay` as a process: what it makes of a recording, and what it says of something else. */
+@Slow
 class ReplayCommandTest {
     @TempDir
     private lateinit var folder: Path

@@ -11,6 +11,7 @@ import cga.inspect.view.InspectedProgram
 import cga.inspect.view.Look
 import cga.inspect.view.Traffic
 import cga.testing.Offscreen
+import cga.testing.Slow
 import org.joml.Matrix3fc
 import org.joml.Matrix4d
 import org.joml.Vector2fc
@@ -26,6 +27,7 @@ import kotlin.io.path.writeText
 
 /** Every cause of a dark picture, provoked. */
 @ExtendWith(Offscreen::class)
+@Slow
 class SceneDoctorTest {
     @TempDir
     private lateinit var folder: Path

@@ -15,6 +15,7 @@ import cga.inspect.view.Look
 import cga.inspect.view.Traffic
 import cga.inspect.view.View
 import cga.testing.Offscreen
+import cga.testing.Slow
 import org.junit.jupiter.api.Assertions.assertArrayEquals
 import org.junit.jupiter.api.Assertions.assertEquals
 import org.junit.jupiter.api.Assertions.assertFalse
@@ -25,6 +26,7 @@ import org.lwjgl.glfw.GLFW.*
 
 /** Whatever the panel and the keys do to the picture is in the recording: each frame of the replay has the bytes of the frame played. */
 @ExtendWith(Offscreen::class)
+@Slow
 class TurnedReplayTest {
     private val window =
         object : WindowState {

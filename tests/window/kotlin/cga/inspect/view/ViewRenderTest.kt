@@ -7,6 +7,7 @@ import cga.inspect.probe.Expected
 import cga.reference.ReferenceRenderer
 import cga.testing.FLOAT_ROUNDING
 import cga.testing.Offscreen
+import cga.testing.Slow
 import org.joml.Vector3d
 import org.joml.Vector3f
 import org.junit.jupiter.api.AfterEach
@@ -18,6 +19,7 @@ import kotlin.math.abs
 
 /** What the views show, on the real scene and against the reference. */
 @ExtendWith(Offscreen::class)
+@Slow
 class ViewRenderTest {
     private val inspected = Inspected()
     private val scene = inspected.scene

@@ -3,6 +3,7 @@ package cga.measure.accuracy.hard
 import cga.exercise.components.light.PointLight
 import cga.framework.SpecularModel
 import cga.testing.Offscreen
+import cga.testing.Slow
 import org.joml.Vector3f
 import org.junit.jupiter.api.Assertions.assertEquals
 import org.junit.jupiter.api.Assertions.assertNotEquals
@@ -12,6 +13,7 @@ import org.junit.jupiter.api.BeforeAll
 import org.junit.jupiter.api.Test
 import kotlin.random.Random
 
+@Slow
 class SearchTest {
     @Test
     fun `no point of the domain gives NaN or infinity, or errs by more than floats do`() {

@@ -9,6 +9,7 @@ import cga.framework.GLError
 import cga.framework.RenderTarget
 import cga.framework.image.ImageData
 import cga.testing.Offscreen
+import cga.testing.Slow
 import org.joml.Matrix3f
 import org.joml.Matrix4d
 import org.joml.Matrix4f
@@ -34,6 +35,7 @@ import kotlin.random.Random
  * drawn as one vertex into one pixel, so that what is shaded is exactly what is given. World space is view space here.
  */
 @ExtendWith(Offscreen::class)
+@Slow
 class LightingEdgeRenderTest {
     private val surface = Surface()
     private val bothModels = listOf(surface.copy(blinnPhong = false), surface.copy(blinnPhong = true))

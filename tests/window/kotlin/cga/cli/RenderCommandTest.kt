@@ -6,6 +6,7 @@ import cga.framework.image.ImageData
 import cga.framework.image.readExr
 import cga.testing.CgaProcess
 import cga.testing.Offscreen
+import cga.testing.Slow
 import org.junit.jupiter.api.Assertions.assertArrayEquals
 import org.junit.jupiter.api.Assertions.assertEquals
 import org.junit.jupiter.api.Assertions.assertTrue
@@ -20,6 +21,7 @@ import kotlin.io.path.readBytes
 import kotlin.math.abs
 
 /** `cga render` as a process: what its options make of the picture, and which files it leaves. */
+@Slow
 class RenderCommandTest {
     @TempDir
     private lateinit var folder: Path

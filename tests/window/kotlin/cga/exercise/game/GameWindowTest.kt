@@ -3,6 +3,7 @@ package cga.exercise.game
 import cga.framework.image.ImageData
 import cga.testing.CgaProcess.Companion.cga
 import cga.testing.OnXvfb
+import cga.testing.Slow
 import cga.testing.Xvfb
 import cga.testing.projectRoot
 import org.junit.jupiter.api.Assertions.assertArrayEquals
@@ -20,6 +21,7 @@ import kotlin.math.abs
 
 /** The real window: another process on a virtual display, its keys pressed and its mouse moved from outside, its pictures compared. */
 @ExtendWith(OnXvfb::class)
+@Slow
 class GameWindowTest(private val display: Xvfb) {
     @TempDir
     private lateinit var directory: Path

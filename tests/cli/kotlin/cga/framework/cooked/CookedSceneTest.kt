@@ -9,6 +9,7 @@ import cga.framework.model.MeshData
 import cga.framework.model.ModelData
 import cga.testing.CgaProcess
 import cga.testing.Offscreen
+import cga.testing.Slow
 import cga.testing.projectRoot
 import org.joml.Vector3f
 import org.junit.jupiter.api.Assertions.assertArrayEquals
@@ -22,6 +23,7 @@ import kotlin.io.path.readBytes
 import kotlin.io.path.writeBytes
 import kotlin.random.Random
 
+@Slow
 class CookedSceneTest {
     @Test
     fun `a model keeps every bit`() {

@@ -135,7 +135,7 @@ class AutograderZipTest {
         val found = System.getenv("PATH").split(':').any { Path.of(it, "shellcheck").exists() }
         if (!found) Need.SHELLCHECK.skip("needs shellcheck: apt-get install shellcheck")
         val scripts =
-            listOf("setup.sh", "run_autograder").map { "src/main/resources/cga/grading/report/autograder/$it" } +
+            listOf("setup.sh", "run_autograder").map { "src/grader/resources/cga/grading/report/autograder/$it" } +
                 "docs/examples/grade-array.sh"
         val process = ProcessBuilder(listOf("shellcheck", "-x") + scripts).directory(projectRoot).inheritIO().start()
         assertEquals(0, process.waitFor())

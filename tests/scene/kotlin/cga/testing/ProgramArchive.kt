@@ -20,6 +20,7 @@ internal object ProgramArchive {
     private const val SECONDS_TO_MAKE = 60L
 
     /** The option that maps the archive of [classPath], none where it could not be made. [java] is the command up to the class path. */
+    @Synchronized
     fun options(java: List<String>, classPath: String): List<String> = made.getOrPut(classPath) { make(java, classPath) }
 
     private val made = HashMap<String, List<String>>()

@@ -31,7 +31,7 @@ class StarterExportTest {
         val target = folder.resolve("starter")
         StarterExport.write(target)
         for ((path, template) in StarterFiles.templates()) {
-            val solution = projectRoot.resolve(path).readText()
+            val solution = projectRoot.resolve(path.replace("src/main/", "src/scene/")).readText()
             assertEquals(solution, Template.solution(target.resolve(path).readText(), template.regions), path)
         }
     }

@@ -6,8 +6,8 @@ import cga.grading.capture.CaptureFile
 import cga.grading.capture.StandIn
 import cga.grading.capture.WorkerFiles
 import cga.grading.capture.WorkerRun
+import cga.grading.corpus.Compiled
 import cga.testing.projectRoot
-import java.io.File
 import java.nio.file.FileSystems
 import java.nio.file.Files
 import java.nio.file.Path
@@ -65,28 +65,11 @@ internal class WorkerProcess(
             classPath: List<Path> = emptyList(),
         ): Path {
             val place = Files.createTempDirectory(folder, "compile")
-            val files = sources.map { (name, text) ->
-                place.resolve("src/$name").also { it.parent.createDirectories() }.also { it.writeText(text) }
-            }
+            for ((name, text) in sources) place.resolve("src/$name").also { it.parent.createDirectories() }.writeText(text)
             val classes = place.resolve("classes")
-            val path = (classPath + listOf(jar) + WorkerFiles.libraries()).joinToString(File.pathSeparator)
             // ktlint's own compiler, older than ours: so the case of a submission that names an old one is tried as well.
-            val compiler =
-                System.getProperty("java.class.path").split(File.pathSeparator).filter {
-                    File(it).name.matches(Regex("(kotlin-compiler-embeddable|kotlin-|kotlinx-coroutines|annotations).*\\.jar"))
-                }
-            val process =
-                execute(
-                    listOf(
-                        java(), "-Xmx1g", "-XX:TieredStopAtLevel=1", "-XX:+UseSerialGC", "-cp", compiler.joinToString(File.pathSeparator),
-                        "org.jetbrains.kotlin.cli.jvm.K2JVMCompiler", "-no-stdlib", "-no-reflect", "-Xskip-metadata-version-check",
-                        "-nowarn", "-jvm-target", "17", "-cp", path, "-d", "$classes",
-                    ) + files.map(Path::toString),
-                    place,
-                    emptyMap(),
-                    classes,
-                )
-            check(process.exitCode == 0) { "the submission does not compile: $process" }
+            val complaints = Compiled.complaints(listOf(place.resolve("src")), classes, classPath + jar)
+            check(complaints.isEmpty()) { "the submission does not compile: $complaints" }
             return classes
         }
 
@@ -120,8 +103,6 @@ internal class WorkerProcess(
             }
             return WorkerProcess(process.exitValue(), out.readText(), err.readText(), file)
         }
-
-        private fun java() = Path.of(System.getProperty("java.home"), "bin", "java").toString()
 
         private fun copyClasses(
             sample: Class<*>,

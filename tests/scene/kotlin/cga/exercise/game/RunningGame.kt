@@ -134,7 +134,8 @@ class RunningGame(
     ): Process {
         val command = CgaProcess.command("cga.cli.MainKt", listOf("run") + options.split(' '), home)
         val builder = ProcessBuilder(command).directory(directory.toFile()).redirectOutput(outFile).redirectError(errFile)
-        builder.environment() += display.variables + ("LIBGL_ALWAYS_SOFTWARE" to "1") + variables
+        // It draws as long as it runs, picture after picture: on one thread, which leaves a core to other tests.
+        builder.environment() += display.variables + mapOf("LIBGL_ALWAYS_SOFTWARE" to "1", "LP_NUM_THREADS" to "1") + variables
         return builder.start()
     }
 

@@ -4,7 +4,7 @@
 start() {
     classpath
     set -- -cp "$classpath" cga.cli.MainKt "$@"
-    set -- "-Dcga.home=$home" "-Dcga.cooked=$build/cooked" -Djava.awt.headless=true "$@"
+    set -- "-Dcga.home=$home" "-Dcga.cooked=$build/cooked" "-Dcga.natives=$build/natives" -Djava.awt.headless=true "$@"
     # Started for one picture: no optimising compiler, and a heap in which that is made without a collection. A grader leaves the work and the
     # processor to others.
     case $command in render | doctor | grade) set -- -XX:+UseSerialGC -XX:TieredStopAtLevel=1 -Xms128m -Xmn96m "$@" ;; esac
@@ -58,6 +58,6 @@ make_archive() {
 }
 
 warm_up() {
-    "$JAVA_HOME/bin/java" "$@" "-Xbootclasspath/a:$stdlib" "-Dcga.home=$home" "-Dcga.cooked=$build/cooked" -Djava.awt.headless=true \
-        -cp "$classpath" cga.cli.MainKt render --size 64x36 --out "$build/warm-up.png" >/dev/null 2>&1 </dev/null
+    "$JAVA_HOME/bin/java" "$@" "-Xbootclasspath/a:$stdlib" "-Dcga.home=$home" "-Dcga.cooked=$build/cooked" "-Dcga.natives=$build/natives" \
+        -Djava.awt.headless=true -cp "$classpath" cga.cli.MainKt render --size 64x36 --out "$build/warm-up.png" >/dev/null 2>&1 </dev/null
 }

@@ -1,7 +1,9 @@
 package cga.cli
 
 import cga.framework.InputError
+import cga.framework.Natives
 import cga.framework.Phases
+import cga.framework.context.OffscreenContext
 import com.github.ajalt.clikt.core.CliktCommand
 import com.github.ajalt.clikt.core.CliktError
 import com.github.ajalt.clikt.core.NoOpCliktCommand
@@ -14,6 +16,7 @@ import java.io.FileOutputStream
 import java.io.OutputStream
 import java.io.PrintStream
 import java.nio.charset.Charset
+import java.nio.file.Path
 import kotlin.system.exitProcess
 
 /** What went wrong on the user's side: bad usage, bad input. */
@@ -29,6 +32,11 @@ public fun main(args: Array<String>) {
     writeUtf8WithoutLocale()
     // Where a library is missing our own message says so, and what to install; LWJGL's is for programmers.
     Configuration.DEBUG_STREAM.set(PrintStream(OutputStream.nullOutputStream()))
+    System.getProperty("cga.natives")?.let { Natives.keepIn(Path.of(it)) }
+    // LWJGL would look for jemalloc, which is not there.
+    Configuration.MEMORY_ALLOCATOR.set("system")
+    // The driver loads while the command reads its options.
+    if (args.firstOrNull() == "render") OffscreenContext.prepare()
     val status = Phases.span("main") { execute(cga(args.toList()), args.toList()) }
     Phases.save()
     exitProcess(status)

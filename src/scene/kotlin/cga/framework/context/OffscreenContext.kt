@@ -1,6 +1,7 @@
 package cga.framework.context
 
 import cga.framework.InputError
+import kotlin.concurrent.thread
 
 /** The three ways to an OpenGL 3.3 core context that shows nothing on a screen. */
 public enum class ContextKind {
@@ -33,6 +34,11 @@ public interface OffscreenContext : AutoCloseable {
             throw reasons.singleOrNull() ?: ContextUnavailable(
                 "no OpenGL 3.3 context can be made here:\n" + reasons.joinToString("\n") { "  ${it.message}" },
             )
+        }
+
+        /** Begins to load what [open] will need, on a thread of its own. Whatever is wrong with that, [open] says. */
+        public fun prepare() {
+            if (ContextKind.OSMESA in automaticOrder()) thread(isDaemon = true, name = "prepare") { OsMesaContext.library() }
         }
 
         private fun openExactly(kind: ContextKind): OffscreenContext =

@@ -25,8 +25,10 @@ internal data class Formatted(val sum: String, val file: File) {
         }
 
         /** What the last run found in form. */
-        fun known(): Set<Formatted> =
-            if (list.exists()) list.readLines().map { Formatted(it.substringBefore(' '), File(it.substringAfter(' '))) }.toSet() else emptySet()
+        fun known(): Set<Formatted> {
+            val lines = if (list.exists()) list.readLines() else emptyList()
+            return lines.map { Formatted(it.substringBefore(' '), File(it.substringAfter(' '))) }.toSet()
+        }
 
         fun remember(files: List<Formatted>) {
             testingFolder.createDirectories()

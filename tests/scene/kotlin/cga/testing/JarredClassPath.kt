@@ -58,7 +58,7 @@ class JarredClassPath : BeforeAllCallback {
             // The other test JVM may be making the same. The sandbox's jobs read it, which have another user.
             part.toFile().setReadable(true, false)
             Files.move(part, jar, REPLACE_EXISTING)
-            (old - jar).forEach(Files::deleteIfExists)
+            old.filter { it != jar }.forEach(Files::deleteIfExists)
             return jar
         }
     }

@@ -15,7 +15,7 @@ import kotlin.io.path.exists
 import kotlin.io.path.fileSize
 import kotlin.io.path.listDirectoryEntries
 
-/** The classes that a small render loads, parsed and verified once, as the launcher archives them; the tests start hundreds of processes. */
+/** The classes that a small render loads, parsed and verified once, as the launcher does it: the tests start hundreds of processes. */
 internal object ProgramArchive {
     private const val SECONDS_TO_MAKE = 60L
 

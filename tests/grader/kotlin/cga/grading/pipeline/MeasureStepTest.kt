@@ -22,6 +22,8 @@ class MeasureStepTest {
     @TempDir
     lateinit var folder: Path
 
+    // Where other tests have it too: making its archive of classes takes seconds.
+    private val programs = Programs(Path.of("build/compilers").toAbsolutePath())
     private val tries = ArrayList<Path>()
 
     private fun stopped(end: End, errors: String = "", next: End = end): Stopped {
@@ -33,7 +35,7 @@ class MeasureStepTest {
             job.scratch.resolve("findings.json").writeText("{}")
             Outcome(if (tries.size == 1) end else next, "", errors, 1.0, 1.0, 1)
         }
-        val step = MeasureStep(sandbox, Programs(folder.resolve("home")), Limits())
+        val step = MeasureStep(sandbox, programs, Limits())
         return assertThrows { step.measure(submission, folder.resolve("capture.bin"), scratch, folder, Run()) }
     }
 

@@ -68,7 +68,7 @@ internal class WorkerProcess(
             for ((name, text) in sources) place.resolve("src/$name").also { it.parent.createDirectories() }.writeText(text)
             val classes = place.resolve("classes")
             // ktlint's own compiler, older than ours: so the case of a submission that names an old one is tried as well.
-            val complaints = Compiled.complaints(listOf(place.resolve("src")), classes, classPath + jar)
+            val complaints = Compiled.complaints(listOf(place.resolve("src")), classes, classPath + listOf(jar))
             check(complaints.isEmpty()) { "the submission does not compile: $complaints" }
             return classes
         }

@@ -40,14 +40,16 @@ internal class LauncherJvm private constructor(
             val own = ManagementFactory.getRuntimeMXBean().inputArguments
             val archive = own.filter { it.startsWith("-XX:SharedArchiveFile=") }
             val cooked = own.filter { it.startsWith("-Dcga.cooked=") }
+            val natives = own.filter { it.startsWith("-Dcga.natives=") }
             val levers =
                 listOf(
                     Lever("the archive of classes", archive, listOf("-Xshare:off")),
                     Lever("the cooked model and textures", cooked),
+                    Lever("LWJGL's libraries unpacked once", natives),
                     Lever("the JIT compiler and the heap for short runs", SHORT),
                 )
             return LauncherJvm(
-                own - archive.toSet() - cooked.toSet() - SHORT.toSet() + listOf("-cp", System.getProperty("java.class.path")),
+                own - (archive + cooked + natives + SHORT).toSet() + listOf("-cp", System.getProperty("java.class.path")),
                 levers,
             )
         }

@@ -62,6 +62,17 @@ class DiffCommandTest {
     }
 
     @Test
+    fun `without a locale it writes UTF-8, and says what reads such names`() {
+        val none = listOf("LANG", "LC_ALL", "LC_CTYPE").associateWith { null }
+        val table = CgaProcess.cga("diff", "a.png", "b.png", directory = folder, env = none)
+        assertEnd(table, 1)
+        assertEquals("red 3/255 · green 0 · blue 0", rows(table.out)["Largest difference"])
+        val name = CgaProcess.cga("diff", "a.png", "Übung.png", directory = folder, env = none)
+        assertEnd(name, 2)
+        assertTrue("LC_ALL=C.UTF-8" in name.err || "Übung.png" in name.err, "$name")
+    }
+
+    @Test
     fun `float pictures are compared in their own unit`() {
         for ((name, red) in listOf("a.exr" to 0.5f, "b.exr" to 2.5f)) {
             ExrFile.write(FloatImage(1, 1, floatArrayOf(red, 0f, 0f, 1f)), folder.resolve(name))

@@ -103,7 +103,8 @@ class LimitsTest {
     @Test
     fun `the private temporary folder is small`() {
         val outcome = hostile.shell(FILL_TMP, Limits(temporaryBytes = 1L shl 20, diskBytes = 4_000_000))
-        if (outcome.end == End.Exited(1)) assertTrue("No space left" in outcome.errors) { outcome.errors } else assertExceeded(Limit.DISK, outcome)
+        if ("No space left" !in outcome.errors) return assertExceeded(Limit.DISK, outcome)
+        assertEquals(End.Exited(1), outcome.end)
     }
 
     @Test

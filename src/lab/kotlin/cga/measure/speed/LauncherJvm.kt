@@ -55,6 +55,7 @@ internal class LauncherJvm private constructor(
         }
 
         // As the launcher has them for `render`.
-        private val SHORT = listOf("-XX:+UseSerialGC", "-XX:TieredStopAtLevel=1", "-Xms128m", "-Xmn96m")
+        private val SHORT =
+            listOf("-XX:+UseSerialGC", "-XX:TieredStopAtLevel=1", "-XX:Tier3BackEdgeThreshold=3000", "-Xms128m", "-Xmn96m")
     }
 }

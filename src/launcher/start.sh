@@ -5,9 +5,9 @@ start() {
     classpath
     set -- -cp "$classpath" cga.cli.MainKt "$@"
     set -- "-Dcga.home=$home" "-Dcga.cooked=$build/cooked" "-Dcga.natives=$build/natives" -Djava.awt.headless=true "$@"
-    # Started for one picture: no optimising compiler, and a heap in which that is made without a collection. A grader leaves the work and the
+    # Started for one picture: no optimising compiler, loops compiled early, and a heap in which that is made without a collection. A grader leaves the work and the
     # processor to others.
-    case $command in render | doctor | grade) set -- -XX:+UseSerialGC -XX:TieredStopAtLevel=1 -Xms128m -Xmn96m "$@" ;; esac
+    case $command in render | doctor | grade) set -- -XX:+UseSerialGC -XX:TieredStopAtLevel=1 -XX:Tier3BackEdgeThreshold=3000 -Xms128m -Xmn96m "$@" ;; esac
     # The whole heap is there from the start: what grows then is a leak, and no heap that fills.
     case $command\ $* in soak\ *--window*) set -- -XX:+UseSerialGC -XX:TieredStopAtLevel=1 -Xms256m -Xmx256m -XX:+AlwaysPreTouch "$@" ;; esac
     [ "$java_major" -lt 24 ] || set -- --enable-native-access=ALL-UNNAMED --sun-misc-unsafe-memory-access=allow "$@"

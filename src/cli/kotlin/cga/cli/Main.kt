@@ -35,9 +35,12 @@ public fun main(args: Array<String>) {
     System.getProperty("cga.natives")?.let { Natives.keepIn(Path.of(it)) }
     // LWJGL would look for jemalloc, which is not there.
     Configuration.MEMORY_ALLOCATOR.set("system")
-    // The driver loads while the command reads its options.
-    if (args.firstOrNull() == "render") OffscreenContext.prepare()
-    val status = Phases.span("main") { execute(cga(args.toList()), args.toList()) }
+    val status =
+        Phases.span("main") {
+            // The driver loads while the command reads its options.
+            if (args.firstOrNull() == "render") OffscreenContext.prepare()
+            execute(cga(args.toList()), args.toList())
+        }
     Phases.save()
     exitProcess(status)
 }

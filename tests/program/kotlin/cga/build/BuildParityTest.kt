@@ -74,7 +74,11 @@ class BuildParityTest {
     @Test
     fun `a form that it cannot read is not passed over`() {
         fun complaint(old: String, new: String) =
-            assertThrows<IllegalStateException> { report(scripts = scripts + ("scene" to changed(scripts.getValue("scene"), old, new))) }.message
+            assertThrows<IllegalStateException> {
+                report(
+                    scripts = scripts + ("scene" to changed(scripts.getValue("scene"), old, new)),
+                )
+            }.message
 
         val dependency = "api(\"a:b:1\")"
         assertReport("build.gradle.kts: cannot read the dependency: $dependency", complaint("api\\(libs.joml\\)", dependency))

@@ -17,7 +17,8 @@ class FormatTest {
 
     @Test
     fun `every Kotlin file is formatted`() {
-        val scripts = listOf(File("build.gradle.kts"), File("settings.gradle.kts"))
+        val parts = PARTS.map { "src/$it" } + "tests/program"
+        val scripts = (listOf("build.gradle.kts", "settings.gradle.kts") + parts.map { "$it/build.gradle.kts" }).map(::File)
         val check = if (System.getProperty("cga.format") == "fix") ::fix else ::complaints
         val known = Formatted.known()
         val (sound, others) = (scripts + kotlinFiles("src", "tests")).map(Formatted::of).partition { it in known }

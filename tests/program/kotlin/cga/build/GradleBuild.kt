@@ -9,7 +9,12 @@ package cga.build
  * @param parts the script of each part, by its name.
  */
 internal fun gradleFacts(catalogue: String, settings: String, script: String, parts: Map<String, String>): Map<String, String> =
-    GradleBuild(Catalogue(catalogue), withoutComments(settings), withoutComments(script), parts.mapValues { withoutComments(it.value) }).facts()
+    GradleBuild(
+        Catalogue(catalogue),
+        withoutComments(settings),
+        withoutComments(script),
+        parts.mapValues { withoutComments(it.value) },
+    ).facts()
 
 private class GradleBuild(
     private val catalogue: Catalogue,
@@ -28,9 +33,15 @@ private class GradleBuild(
             put("parts", (partsInOrder().map { "src/$it" } + "tests/program").joinToString())
             put("Kotlin", kotlin)
             put("JVM target", jvmTarget())
-            check(findAll("(?i)srcDir", script).size == 4) { "build.gradle.kts: source folders are set in a form that this test does not know" }
+            check(
+                findAll("(?i)srcDir", script).size == 4,
+            ) { "build.gradle.kts: source folders are set in a form that this test does not know" }
             put("main sources", find("""kotlin\.setSrcDirs\(listOf\("(.+)"\)\)""", script))
-            put("test sources", find("""val tests = rootDir\.resolve\("(.+)"\)""", script) + "/" + find("""kotlin\.setSrcDirs\(listOf\(tests\.resolve\("(.+)"\)\)\)""", script))
+            put(
+                "test sources",
+                find("""val tests = rootDir\.resolve\("(.+)"\)""", script) + "/" +
+                    find("""kotlin\.setSrcDirs\(listOf\(tests\.resolve\("(.+)"\)\)\)""", script),
+            )
             put("warnings are errors", ("allWarningsAsErrors = true" in script).toString())
             put("compiler", strings(find("""freeCompilerArgs\.addAll\((.+)\)""", script)).joinToString())
             put("explicit API", ("explicitApi()" in script).toString())
@@ -85,7 +96,9 @@ private class GradleBuild(
         return mapOf("${scope(configuration)} ${module(alias)}" to version(alias))
     }
 
-    private fun scope(configuration: String) = checkNotNull(SCOPES[configuration]) { "build.gradle.kts: no Maven scope is like $configuration" }
+    private fun scope(configuration: String) = checkNotNull(
+        SCOPES[configuration],
+    ) { "build.gradle.kts: no Maven scope is like $configuration" }
 
     private fun tests() = find("""(?s)\n {4}tasks\.named<Test>\("test"\) \{\n(.*?)\n {4}}\n""", script)
 

@@ -24,7 +24,12 @@ class IncrementalBuildTest {
     fun `the classes of deleted and renamed files vanish, tests included`(
         @TempDir folder: Path,
     ) {
-        if (System.getenv("PATH").split(File.pathSeparator).none { File(it, "mvn").canExecute() }) Need.MAVEN.skip("needs Maven: apt-get install maven")
+        if (System.getenv("PATH").split(File.pathSeparator).none {
+                File(it, "mvn").canExecute()
+            }
+        ) {
+            Need.MAVEN.skip("needs Maven: apt-get install maven")
+        }
         val sources = folder.resolve("src/scene/kotlin").createDirectories()
         val tests = folder.resolve("tests/scene/kotlin").createDirectories()
         copyBuild(folder)

@@ -20,7 +20,9 @@ class LayerTest {
             "cli" to setOf("grading", "measure", "inspect", "imaging", "reference", "exercise", "framework"),
         )
 
-    private val sources = kotlinFiles(*PARTS.map { "src/$it/kotlin" }.toTypedArray()).map { Source(it.invariantSeparatorsPath, it.readText()) }
+    private val sources = kotlinFiles(
+        *PARTS.map { "src/$it/kotlin" }.toTypedArray(),
+    ).map { Source(it.invariantSeparatorsPath, it.readText()) }
 
     @Test
     fun `the sources keep to their layers`() {
@@ -34,16 +36,21 @@ class LayerTest {
     }
 
     @Test
-    fun `each part has its own packages, and the tests lie as the sources do`() {
-        val places = PARTS.flatMap { kotlinFiles("src/$it/kotlin", "tests/$it/kotlin") }.map { it.invariantSeparatorsPath }
-        val wrong = places.filterNot { place ->
-            val part = place.split('/')[1]
-            // What the tests of all parts share lies with those of the first one.
-            val packages = PACKAGES.getValue(part) + if (place.startsWith("tests/scene/")) setOf("testing") else emptySet()
-            packages.any { "/kotlin/cga/${it.replace('.', '/')}/" in place }
+    fun `each part has its own packages, and its tests are of those or of the parts below`() {
+        val wrong = PARTS.flatMap { part ->
+            val below = PARTS.takeWhile { it != part } + part
+            outside(part, "src", PACKAGES.getValue(part)) +
+                // What the tests of all parts share lies with those of the first one.
+                outside(part, "tests", below.flatMap(PACKAGES::getValue) + "testing")
         }
         assertEquals(emptyList<String>(), wrong)
     }
+
+    /** The files of a part that lie in none of [packages]. */
+    private fun outside(part: String, folder: String, packages: Collection<String>): List<String> =
+        kotlinFiles("$folder/$part/kotlin").map { it.invariantSeparatorsPath }.filterNot { path ->
+            packages.any { path.startsWith("$folder/$part/kotlin/cga/${it.replace('.', '/')}/") }
+        }
 
     @Test
     fun `a use of a higher layer is reported with its line`() {

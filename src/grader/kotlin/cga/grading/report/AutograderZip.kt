@@ -45,7 +45,13 @@ public object AutograderZip {
     // setup.sh grades the starter, to have the compiler ready.
     private val PROGRAM =
         listOf("cga", "pom.xml", "build.gradle.kts", "settings.gradle.kts", "gradle.properties", "gradle", "src", "shaders", "assets") +
-            listOf(ReferenceSources.COURSE, "build/cga/lib", "build/cga/libraries", "build/cga/grader.stamp", "build/cga/grader.classpath") +
+            listOf(
+                ReferenceSources.COURSE,
+                "build/cga/lib",
+                "build/cga/libraries",
+                "build/cga/grader.stamp",
+                "build/cga/grader.classpath",
+            ) +
             StarterFiles.COPIES.filterNot { it.startsWith("gradle/") }
 
     // Gradescope's machines run Linux.

@@ -102,7 +102,10 @@ internal object LoopPart {
     private fun compiler(): List<Path> {
         val repository = Path.of(System.getProperty("user.home"), ".m2", "repository", "org", "jetbrains")
         if (!repository.exists()) return emptyList()
-        val needed = Regex("(kotlin-(compiler-embeddable|stdlib|script-runtime|daemon-embeddable)-${KotlinVersion.CURRENT}|kotlinx-coroutines-core-jvm-.*)\\.jar")
+        val needed =
+            Regex(
+                "(kotlin-(compiler-embeddable|stdlib|script-runtime|daemon-embeddable)-${KotlinVersion.CURRENT}|kotlinx-coroutines-core-jvm-.*)\\.jar",
+            )
         val jars = repository.walk().filter { it.extension == "jar" && needed.matches(it.name) }.toList()
         return if (jars.any { it.name.startsWith("kotlin-compiler-embeddable") }) jars else emptyList()
     }

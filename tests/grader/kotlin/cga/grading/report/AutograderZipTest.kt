@@ -41,7 +41,8 @@ class AutograderZipTest {
                 "cga" to "#!/bin/sh\necho \"$@\" >\"$folder/arguments\"\n$script\n",
                 "build/cga/lib/cga.jar" to "", "build/cga/lib/lwjgl-natives-linux.jar" to "",
                 "build/cga/lib/lwjgl-natives-windows.jar" to "",
-                "build/cga/grader.stamp" to "1", "build/cga/grader.classpath" to "a.jar", "build/cga/build.log" to "", "src/main/A.kt" to "", "src/.secret" to "", "shaders/a.glsl" to "",
+                "build/cga/grader.stamp" to "1", "build/cga/grader.classpath" to "a.jar", "build/cga/build.log" to "",
+                "src/main/A.kt" to "", "src/.secret" to "", "shaders/a.glsl" to "",
                 "tests/A.kt" to "", ".git/config" to "",
             ) + StarterFiles.COPIES.associateWith { "" }
         for ((name, text) in files) home.resolve(name).createParentDirectories().writeText(text)
@@ -83,7 +84,13 @@ class AutograderZipTest {
         FileSystems.newFileSystem(zip(), mapOf("enablePosixFileAttributes" to "true")).use { files ->
             val names = files.getPath("/").walk().filter { it.isRegularFile() }.map { "$it".drop(1) }.toSet()
             val program =
-                listOf("cga", "build/cga/lib/cga.jar", "build/cga/lib/lwjgl-natives-linux.jar", "build/cga/grader.stamp", "build/cga/grader.classpath") +
+                listOf(
+                    "cga",
+                    "build/cga/lib/cga.jar",
+                    "build/cga/lib/lwjgl-natives-linux.jar",
+                    "build/cga/grader.stamp",
+                    "build/cga/grader.classpath",
+                ) +
                     listOf("src/main/A.kt", "shaders/a.glsl") + StarterFiles.COPIES
             assertEquals(program.map { "cga/$it" }.toSet() + listOf("setup.sh", "run_autograder", "config.sh"), names)
             for (name in listOf("setup.sh", "run_autograder", "cga/cga")) {

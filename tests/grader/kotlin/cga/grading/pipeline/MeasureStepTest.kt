@@ -8,6 +8,7 @@ import cga.grading.sandbox.Outcome
 import cga.grading.sandbox.Sandbox
 import cga.grading.submission.MadeUp
 import cga.grading.submission.SubmissionReader
+import cga.testing.Slow
 import org.junit.jupiter.api.Assertions.assertEquals
 import org.junit.jupiter.api.Assertions.assertTrue
 import org.junit.jupiter.api.Test
@@ -18,6 +19,7 @@ import kotlin.io.path.createDirectories
 import kotlin.io.path.writeText
 
 /** What is told of the ways in which measuring can end, the process itself being made up. */
+@Slow
 class MeasureStepTest {
     @TempDir
     lateinit var folder: Path

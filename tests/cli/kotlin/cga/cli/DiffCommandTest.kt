@@ -66,7 +66,7 @@ class DiffCommandTest {
         assertEnd(table, 1)
         assertEquals("red 3/255 · green 0 · blue 0", rows(table.out)["Largest difference"])
         val name = CgaProcess.cga("diff", "a.png", "Übung.png", directory = folder, env = none)
-        assertEnd(name, 2)
+        assertEquals(2, name.exitCode, "$name")
         assertTrue("LC_ALL=C.UTF-8" in name.err || "Übung.png" in name.err, "$name")
     }
 

@@ -111,8 +111,8 @@ subprojects {
         workingDir = rootDir
         // They read shaders, assets, goldens, docs and the build files as well: never up to date.
         outputs.upToDateWhen { false }
-        // For two cores: most tests use one, and some wait for processes.
-        maxParallelForks = 3
+        // Two cores are what the tests are planned for, and most of them use one.
+        maxParallelForks = 2
         maxHeapSize = "2g"
         // Most tests are over before the optimising compiler has paid.
         jvmArgs(nativeAccess + listOf("-XX:TieredStopAtLevel=1", "-XX:+UseSerialGC"))

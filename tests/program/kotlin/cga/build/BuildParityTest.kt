@@ -52,7 +52,7 @@ class BuildParityTest {
         assertReport("JVM target: Gradle 17, Maven 21", report("<jvmTarget.version>17", "<jvmTarget.version>21"))
         assertReport("Kotlin: Gradle *, Maven 2.0.0", report("(?<=kotlin-maven-plugin</artifactId>\n {8}<version>).*?(?=<)", "2.0.0"))
         assertReport("warnings are errors: Gradle true, Maven false", report("-Werror", "-Wextra"))
-        assertReport("test processes: Gradle 3, Maven 1", report(">3</forkCount>", ">1</forkCount>"))
+        assertReport("test processes: Gradle 2, Maven 1", report(">2</forkCount>", ">1</forkCount>"))
         assertReport("test environment MESA_GL_VERSION_OVERRIDE: Gradle 3.3, Maven 4.5", report("OVERRIDE>3.3<", "OVERRIDE>4.5<"))
     }
 

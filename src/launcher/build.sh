@@ -75,7 +75,8 @@ build_part() {
         # In Maven itself at first, which takes less of the processor; a daemon, which stays for ten minutes, makes the next edits quick.
         daemon=true
         [ "$why" = 'sources changed' ] || daemon=false
-        set -- mvn -B -DwithoutTests -Dmaven.test.skip=true "-Dkotlin.compiler.daemon=$daemon" \
+        # Cleaning would take the other parts' jars along.
+        set -- mvn -B -DwithoutTests -Dmaven.test.skip=true -Dmaven.clean.skip=true "-Dkotlin.compiler.daemon=$daemon" \
             -Dkotlin.compiler.daemon.shutdownDelayMs=600000 -pl "src/$part" -am package
     fi
     { (cd "$home" && "$@" 2>&1 </dev/null) || echo 'the build failed'; } | tee "$log" | show_progress

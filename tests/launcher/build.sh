@@ -9,6 +9,7 @@ check 'then it starts the program' called java
 
 check 'of the program only the part that the command needs' called 'mvn .* -pl src/window -am package$'
 check 'without what only tests need' called 'mvn .* -DwithoutTests '
+check 'and without cleaning what other parts have in the same folder' called 'mvn .* -Dmaven.clean.skip=true '
 check 'it names the log' said "its log is $checkout/build/cga/window.log"
 
 cga render

@@ -85,14 +85,14 @@ build_part() {
     echo "$sources" >"$stamp"
 }
 
-# Our jars are made anew, so that a program that still runs keeps its own. Another version of a library, or one less, is found in the
-# build files: then all jars go, and what was made of them: archives of classes, and the models as they were cooked.
+# Our jars are made anew, so that a program that still runs keeps its own, and the models are cooked by the new classes. Another version of a
+# library, or one less, is found in the build files: then all jars go, and the archives of their classes.
 remove_outdated() {
-    rm -f "$stamp"
+    rm -rf "$stamp" "$build/cooked"
     for name in $(parts_below "$part"); do rm -f "$build/lib/cga-$name.jar"; done
     libraries=$(cd "$home" && { build_files && checksums src/*/pom.xml src/*/build.gradle.kts; } | cksum)
     [ "$libraries" != "$(cat "$build/libraries" 2>/dev/null)" ] || return 0
-    rm -rf "${build:?}/lib" "$build"/*.stamp "$build"/*.jsa "$build"/*.classpath "$build/cooked"
+    rm -rf "${build:?}/lib" "$build"/*.stamp "$build"/*.jsa "$build"/*.classpath
     echo "$libraries" >"$build/libraries"
 }
 

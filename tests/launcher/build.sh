@@ -20,9 +20,11 @@ touch -t 203001010000 "$scene/Main.kt"
 cga render
 check 'a touch is no change' not called mvn
 
+mkdir "$checkout/build/cga/cooked"
 echo '// changed' >>"$scene/Main.kt"
 cga render
 check 'a changed source rebuilds' called mvn
+check 'and what older classes cooked is gone' [ ! -e "$checkout/build/cga/cooked" ]
 check 'and says why' said 'building with Maven (sources changed)'
 
 echo '// changed' >>"$checkout/src/grader/kotlin/Main.kt"

@@ -22,6 +22,7 @@ public object StarterFiles {
     private val SOURCES = listOf("$OURS/cga/framework", "$OURS/cga/exercise", "shaders")
     private const val OURS = "src/scene/kotlin"
     private const val THEIRS = "src/main/kotlin"
+    private const val CATALOGUE = "gradle/libs.versions.toml"
 
     // The window's inspector shows the factors of the formula, which are the exercise.
     private const val INSPECTOR = "shaders/inspect/"
@@ -30,7 +31,7 @@ public object StarterFiles {
 
     /** What is copied as it is from the top of the project: where a starter is made these must be there. */
     internal val COPIES: List<String> =
-        listOf("LICENSE", "gradlew", "gradlew.bat", "gradle/libs.versions.toml", "gradle/wrapper/gradle-wrapper.jar") +
+        listOf("LICENSE", "gradlew", "gradlew.bat", CATALOGUE, "gradle/wrapper/gradle-wrapper.jar") +
             "gradle/wrapper/gradle-wrapper.properties"
 
     /** Written for the starter alone; they lie beside this class. */
@@ -39,6 +40,7 @@ public object StarterFiles {
             "README.md" to "README.md",
             "build.gradle.kts" to "build.gradle.kts",
             "settings.gradle.kts" to "settings.gradle.kts",
+            "pom.xml" to "pom.xml",
             "$THEIRS/cga/exercise/Main.kt" to "Main.kt",
             ".gitignore" to "gitignore",
         )
@@ -70,6 +72,17 @@ public object StarterFiles {
 
     private fun Path.name(home: Path) = toAbsolutePath().relativeTo(home.toAbsolutePath()).invariantSeparatorsPathString
 
-    private fun own(name: String): ByteArray =
-        StarterFiles::class.java.getResourceAsStream(name)?.use { it.readBytes() } ?: error("the program lacks its file $name")
+    private fun own(name: String): ByteArray {
+        val content = StarterFiles::class.java.getResourceAsStream(name)?.use { it.readBytes() } ?: error("the program lacks its file $name")
+        return if (name == "pom.xml") withVersions(content.decodeToString()).encodeToByteArray() else content
+    }
+
+    /** Maven cannot read the catalogue of versions: `@lwjgl@` in [pom] becomes what it says of `lwjgl`. */
+    private fun withVersions(pom: String): String {
+        val versions = Home.read(CATALOGUE, "project").decodeToString().substringAfter("[versions]").substringBefore("\n[")
+        return Regex("@(\\w+)@").replace(pom) { match ->
+            val name = match.groupValues[1]
+            Regex("""(?m)^$name = "(.+)"""").find(versions)?.groupValues?.get(1) ?: throw InputError("$CATALOGUE: there is no version $name.")
+        }
+    }
 }

@@ -23,5 +23,11 @@ options=()
 [ "$CGA_UNSAFE_NO_SANDBOX" != yes ] || options+=(--unsafe-no-sandbox)
 warm=$(mktemp -d)
 "$program" starter "$warm/starter"
-"$program" grade "$warm/starter" --out "$warm/results" "${options[@]}"
+results=$warm/results
+# To the grader a starter that crashes is a submission with 0 points like any other; here it is the image's fault.
+if ! "$program" grade "$warm/starter" --out "$results" "${options[@]}" || ! grep -q '^starter,graded,' "$results/grades.csv"; then
+    [ ! -e "$results/starter/results.json" ] || sed 's/\\n/\n/g' "$results/starter/results.json" >&2
+    echo "setup.sh: the starter could not be graded here, so no submission could be; the cause is above" >&2
+    exit 1
+fi
 rm -rf "$warm"

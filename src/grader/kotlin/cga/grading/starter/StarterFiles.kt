@@ -73,7 +73,8 @@ public object StarterFiles {
     private fun Path.name(home: Path) = toAbsolutePath().relativeTo(home.toAbsolutePath()).invariantSeparatorsPathString
 
     private fun own(name: String): ByteArray {
-        val content = StarterFiles::class.java.getResourceAsStream(name)?.use { it.readBytes() } ?: error("the program lacks its file $name")
+        val resource = StarterFiles::class.java.getResourceAsStream(name) ?: error("the program lacks its file $name")
+        val content = resource.use { it.readBytes() }
         return if (name == "pom.xml") withVersions(content.decodeToString()).encodeToByteArray() else content
     }
 
@@ -82,7 +83,8 @@ public object StarterFiles {
         val versions = Home.read(CATALOGUE, "project").decodeToString().substringAfter("[versions]").substringBefore("\n[")
         return Regex("@(\\w+)@").replace(pom) { match ->
             val name = match.groupValues[1]
-            Regex("""(?m)^$name = "(.+)"""").find(versions)?.groupValues?.get(1) ?: throw InputError("$CATALOGUE: there is no version $name.")
+            val version = Regex("""(?m)^$name = "(.+)"""").find(versions) ?: throw InputError("$CATALOGUE: there is no version $name.")
+            version.groupValues[1]
         }
     }
 }

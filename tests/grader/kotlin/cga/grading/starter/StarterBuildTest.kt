@@ -37,8 +37,8 @@ class StarterBuildTest {
     fun `both builds name the same libraries, versions and natives`() {
         // Gradle's Kotlin plugin adds the library of its own version.
         val kotlin = "org.jetbrains.kotlin:kotlin-stdlib:${version("kotlin")}"
-        val named = Regex("""libs\.(lwjgl\.\w+|joml)\b""").findAll(script).map { library(it.groupValues[1]) }.toSet() + kotlin
-        val natives = Regex("""libs\.(lwjgl\.\w+)""").findAll(script.lines().single { "in listOf(" in it }).map { library(it.groupValues[1]) }
+        val named = libraries(script) + kotlin
+        val natives = libraries(script.lines().single { "in listOf(" in it })
         assertTrue(named.size == 9 && "org.joml:joml:${version("joml")}" in named) { "$named" }
         assertEquals(named + natives.map { "$it:natives-\${platform}\${arm}" }, pomLibraries())
         assertTrue("\"natives-\$platform\"" in script && pomText("firstThread") == setOf("", "-XstartOnFirstThread"))
@@ -51,8 +51,8 @@ class StarterBuildTest {
     /** So a machine that built ours has what the starter needs. */
     @Test
     fun `the plugins of its pom that are among ours have our versions`() {
-        fun plugins(pom: List<Element>) = pom.filter { it.tagName == "plugin" && it.child("version") != null }
-            .associate { it.child("artifactId") to interpolated(it.child("version").orEmpty()) }
+        fun plugins(pom: List<Element>) =
+            pom.filter { it.tagName == "plugin" }.associate { it.child("artifactId") to interpolated(it.child("version").orEmpty()) }
         val ours = plugins(elements(projectRoot.resolve("pom.xml")))
         val common = plugins(pom).filterKeys { it in ours }
         assertEquals(setOf("kotlin-maven-plugin", "maven-resources-plugin", "maven-compiler-plugin"), common.keys)
@@ -94,11 +94,11 @@ class StarterBuildTest {
 
     private fun NamedLibrary.text() = "$group:$name:$version"
 
-    private fun pomLibraries(): Set<String> =
-        pom.filter { it.tagName == "dependency" }.map { dependency ->
-            val parts = listOf("groupId", "artifactId", "version", "classifier").mapNotNull { dependency.child(it) }
-            interpolated(parts.joinToString(":"))
-        }.toSet()
+    private fun pomLibraries(): Set<String> {
+        val dependencies = pom.filter { it.tagName == "dependency" }
+        val parts = listOf("groupId", "artifactId", "version", "classifier")
+        return dependencies.map { dependency -> interpolated(parts.mapNotNull { dependency.child(it) }.joinToString(":")) }.toSet()
+    }
 
     private fun interpolated(text: String) =
         text.replace(Regex("""\$\{(\w+)\.version}""")) { version(it.groupValues[1]) }
@@ -116,6 +116,10 @@ class StarterBuildTest {
         val CATALOGUE = projectRoot.resolve("gradle/libs.versions.toml").readText()
 
         fun version(name: String) = Regex("""(?m)^$name = "(.+)"""").find(CATALOGUE)!!.groupValues[1]
+
+        /** What [script] names, with groups and versions. */
+        fun libraries(script: String): Set<String> =
+            Regex("""libs\.(lwjgl\.\w+|joml)\b""").findAll(script).map { library(it.groupValues[1]) }.toSet()
 
         /** With its group and version: what the catalogue says of `libs.lwjgl.core`. */
         fun library(alias: String): String {

@@ -120,7 +120,8 @@ class SubmissionReaderTest {
                 "openal = { module = \"org.lwjgl:lwjgl-openal\" }",
             "pom.xml" to
                 "<?xml version=\"1.0\"?><groupId>me</groupId><artifactId>tron</artifactId><gson.version>2.8.6</gson.version>" +
-                "<dependency><groupId>com.google.code.gson</groupId><artifactId>gson</artifactId><version>\${gson.version}</version></dependency>" +
+                "<dependency><groupId>com.google.code.gson</groupId><artifactId>gson</artifactId>" +
+                "<version>\${gson.version}</version></dependency>" +
                 "<dependency><groupId>org.lwjgl</groupId><artifactId>lwjgl-openal</artifactId></dependency>" +
                 "<plugin><groupId>org.jetbrains.kotlin</groupId><artifactId>kotlin-maven-plugin</artifactId><version>2</version></plugin>",
         )

@@ -56,8 +56,26 @@ public object StarterFiles {
     public fun all(): Map<String, ByteArray> {
         val sources = templates().mapValues { (_, template) -> template.starter.encodeToByteArray() }
         val copies = (COPIES + below("assets", MODEL_TYPES)).associateWith { Home.read(it, "project") }
-        return sources + copies + OWN.mapValues { own(it.value) } + (MARKER to "$VERSION_LINE\n".encodeToByteArray())
+        val written = mapOf(CATALOGUE to catalogue(), MARKER to "$VERSION_LINE\n").mapValues { it.value.encodeToByteArray() }
+        return sources + copies + OWN.mapValues { own(it.value) } + written
     }
+
+    /** Our catalogue with what the starter's build uses: the grader fetches what a submission that does not compile names. */
+    private fun catalogue(): String {
+        val script = own("build.gradle.kts").decodeToString()
+        val libraries = Home.read(CATALOGUE, "project").decodeToString().replace("\r\n", "\n").replace(LIBRARY) { entry ->
+            val alias = entry.groupValues[1].replace('-', '.')
+            if (Regex("""\blibs\.${Regex.escape(alias)}\b""") in script) entry.value else ""
+        }
+        return libraries.replace(VERSION) { entry ->
+            val name = entry.groupValues[1]
+            if ("version.ref = \"$name\"" in libraries || "libs.versions.$name." in script) entry.value else ""
+        }
+    }
+
+    // Each with the comment above it.
+    private val LIBRARY = Regex("""(?m)(?:^#.*\n)*^([\w-]+) = \{ module.*\n""")
+    private val VERSION = Regex("""(?m)^(\w+) = ".*\n""")
 
     private fun below(
         folder: String,

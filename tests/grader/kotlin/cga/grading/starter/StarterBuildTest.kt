@@ -78,7 +78,8 @@ class StarterBuildTest {
 
     @Test
     fun `it is a starter with either build or both`() {
-        assertRecognised()
+        val asked = assertRecognised().libraries.map { it.name }.toSet()
+        assertEquals(pomLibraries().map { it.split(':')[1] }.toSet(), asked, "what is fetched for a starter that does not compile")
         for (file in listOf("build.gradle.kts", "settings.gradle.kts", "gradle/libs.versions.toml")) starter.resolve(file).deleteExisting()
         val found = assertRecognised().libraries
         assertEquals(pomLibraries().map { it.substringBefore(":natives") }.toSet(), found.map { it.text() }.toSet())

@@ -33,7 +33,7 @@ ensure_built() {
 }
 
 # Whether a command can start without a build tool.
-is_built() { [ "$1" != test ] && [ -e "$build/$(part_of "$1").stamp" ]; }
+is_built() { [ "$1" != test ] && [ "$1" != corpus ] && [ -e "$build/$(part_of "$1").stamp" ]; }
 
 is_current() {
     sources=$(fingerprint)
@@ -109,6 +109,7 @@ show_progress() {
         /--- (kotlin-maven-plugin|kotlin):.*:compile / && place != "" { say("compiling " place) }
         /--- (maven-surefire-plugin|surefire):.*:test / && place != "" { testing = place }
         /T E S T S/ { say("testing " testing) }
+        /^corpus: / { say(substr($0, 9)) }
         /^> Task :[a-z]+:(compileKotlin|test)( |$)/ { split($3, of, ":"); say((of[3] == "test" ? "testing " : "compiling ") of[2]) }'
 }
 

@@ -42,6 +42,18 @@ cga test --tests
 check 'a pattern that is missing ends with 2' ended 2
 check 'without a test' not called mvn
 
+cga corpus --part 2/8 --accept
+check 'the guard is a test' called 'mvn .* -Dtest=\*CorpusGuardTest$'
+check 'which is told what to judge' grep -q -x CGA_CORPUS=2/8 "$sandbox/environment"
+check 'and that it is right' grep -q -x CGA_CORPUS_ACCEPT=true "$sandbox/environment"
+check 'it ends as the test does' ended 1
+cga corpus plain later
+check 'names are handed on' grep -q -x 'CGA_CORPUS=plain later' "$sandbox/environment"
+cga corpus
+check 'without any it is one for every mistake' grep -q -x CGA_CORPUS=guard "$sandbox/environment"
+cga corpus --every
+check 'an unknown option of the guard is named' said "not '--every'"
+
 printf '%s\n' libosmesa6 libegl1 libgl1-mesa-dri libgl1 xdotool openbox shellcheck bubblewrap chromium >"$sandbox/home/installed-packages"
 cga test
 check 'what the tests need and is missing is named' \

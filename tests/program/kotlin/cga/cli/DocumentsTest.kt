@@ -92,6 +92,6 @@ class DocumentsTest {
         /** In a line of its own, or in backquotes. */
         val COMMAND = Regex("""(?m)(?<=^ {4}|`)\./cga [a-z][^`\n]*""")
         val OPTION = Regex("--[a-z][a-z-]*")
-        val LAUNCHERS_OWN = setOf("test", "help", "--help")
+        val LAUNCHERS_OWN = setOf("test", "corpus", "help", "--help")
     }
 }

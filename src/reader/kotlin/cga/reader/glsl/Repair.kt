@@ -13,6 +13,11 @@ internal enum class Repair(
 ) {
     OLD_VERSION("GLSL before 3.30 is read as 3.30", Regex("""(?m)^(\s*#\s*version\s+)(140|150)\b"""), { found, _ -> found.groupValues[1] + "330" }),
     FLOAT_SUFFIX("1f is read as 1.0f", Regex("""(?<![\w.])(\d+)[fF]\b"""), { found, _ -> found.groupValues[1] + ".0f" }),
+    OLD_TEXTURE(
+        "texture2D and its like are read as texture",
+        Regex("""\b(?:texture|shadow)(?:1D|2D|3D|Cube)((?:Proj)?(?:Lod|Grad)?)(?=\s*\()"""),
+        { found, _ -> "texture" + found.groupValues[1] },
+    ),
     ;
 
     companion object {

@@ -22,7 +22,7 @@ internal class Lowering(private val module: Module) {
     private val algebra = Algebra(emitter)
     private val composites = Composites(emitter, memory)
     private val textures = Textures(emitter)
-    private val standard = StandardFunctions(emitter, arithmetic, algebra, memory)
+    private val standard = StandardFunctions(emitter, arithmetic, algebra)
     private val globals = Scope(module, emitter)
 
     fun lower(stage: Stage): Shader {

@@ -21,7 +21,6 @@ internal class StandardFunctions(
     private val emitter: Emitter,
     private val arithmetic: Arithmetic,
     private val algebra: Algebra,
-    private val memory: Memory,
 ) {
     fun lower(
         instruction: Instruction,
@@ -32,19 +31,8 @@ internal class StandardFunctions(
         val name = NAMES.getOrNull(number).orEmpty()
         emitter.origin = name
         DIRECT[name]?.let { operation -> return arithmetic.each(type, operation, instruction.from(2).map(scope::value)) }
-        if (name == "modf") return modf(type, scope.value(instruction.operands[2]), scope.pointer(instruction.operands[3]))
         val formula = formulas[name] ?: throw UnreadableException("the function $number ($name) of GLSL.std.450 is not known")
         return formula(type, instruction.from(2).map(scope::value))
-    }
-
-    private fun modf(
-        type: Type,
-        x: Value,
-        place: Pointer,
-    ): Value {
-        val whole = each(type, Operation.TRUNC, x)
-        memory.store(place, whole)
-        return each(type, SUB, x, whole)
     }
 
     private val formulas: Map<String, (Type, List<Value>) -> Value> = mapOf(
@@ -59,6 +47,10 @@ internal class StandardFunctions(
             val share = each(type, DIV, each(type, SUB, x, low), each(type, SUB, high, low))
             val t = each(type, MIN, each(type, MAX, share, number(0.0)), number(1.0))
             each(type, MUL, each(type, MUL, t, t), each(type, SUB, number(3.0), each(type, MUL, number(2.0), t)))
+        },
+        "modfStruct" to { type, (x) ->
+            val whole = each(x.type, Operation.TRUNC, x)
+            Value(type, each(x.type, SUB, x, whole).cells + whole.cells)
         },
         "fma" to { type, (a, b, c) -> each(type, ADD, each(type, MUL, a, b), c) },
         "length" to { type, (v) -> length(type, v) },

@@ -21,7 +21,7 @@ public sealed interface Reading {
     public class Failed(public val problems: List<Problem>) : Reading
 
     public companion object {
-        /** Reads the shader [text], GLSL 1.40 to 4.60, as it is handed to OpenGL. [file] names it in problems. */
+        /** Reads the shader [text], GLSL 1.10 to 4.60, as it is handed to OpenGL. [file] names it in problems. */
         public fun of(
             file: String,
             text: String,

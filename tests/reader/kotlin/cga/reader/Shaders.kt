@@ -32,14 +32,15 @@ internal fun Random.numbersFor(slot: Slot): DoubleArray =
     DoubleArray(slot.size) { i ->
         when (slot.kind) {
             Kind.BOOL -> nextInt(2).toDouble()
-            Kind.INT, Kind.UINT -> nextInt(4).toDouble()
+            Kind.INT, Kind.UINT -> nextInt(3).toDouble()
             Kind.SAMPLER -> error("${slot.name} has no numbers")
             // Like a matrix of a scene rather than any numbers: not far from the identity, so that it can be inverted.
             Kind.FLOAT ->
                 if (slot.columns > 1) {
                     (if (i / slot.rows == i % slot.rows) 1.0 else 0.0) + float(-0.4, 0.4)
                 } else if (slot.rows > 1) {
-                    float(-2.0, 2.0)
+                    // More light than darkness, or hardly a highlight is seen.
+                    float(-0.7, 2.0)
                 } else {
                     float(0.1, 3.0)
                 }

@@ -16,27 +16,21 @@ internal object GlslCompiler {
     /** Its messages: `file:12: error: …`. */
     private val MESSAGE = Regex("""^(.*):(\d+): error: (.*)$""")
 
-    /** Compiles [text] as it is, and where that fails, repaired. */
+    /**
+     * Compiles [text] as it is; where that fails, repaired; and where that fails, as the newest GLSL, which allows what some drivers allow in
+     * older ones: a semicolon too many, locations of uniforms, arrays of arrays. The problems are those of the first attempt.
+     */
     fun compile(
         file: String,
         text: String,
         stage: Stage,
     ): Compiled {
-        val refusal = refusal(text)
-        if (refusal != null) return Compiled(null, listOf(Problem(file, 0, refusal)))
-        val plain = compileAsIs(file, text, stage)
-        if (plain.binary != null) return plain
-        val (repaired, repairs) = Repair.all(text, stage)
-        if (repairs.isEmpty()) return plain
-        val second = compileAsIs(file, repaired, stage)
-        return if (second.binary == null) plain else Compiled(second.binary, emptyList(), repairs)
-    }
-
-    /** Without a version shaderc's built-in functions do not compile, and it says so at length, to the process's output. */
-    private fun refusal(text: String): String? {
-        val version = VERSION.find(withoutComments(text))
-            ?: return "has no #version, so it is GLSL 1.10, which an OpenGL 3.3 core context does not take; a part of a shader is read with the rest"
-        return if (version.groupValues[1].toInt() in VERSIONS) null else "is GLSL ${version.groupValues[1]}; what can be read is $VERSIONS"
+        val plain = if (Repair.hasKnownVersion(text)) compileAsIs(file, text, stage) else null
+        if (plain?.binary != null) return plain
+        val attempts = sequenceOf(Repair.all(text), Repair.all(text, NEWEST)).map { (repaired, repairs) ->
+            compileAsIs(file, repaired, stage).let { Compiled(it.binary, it.problems, repairs) }
+        }
+        return attempts.find { it.binary != null } ?: plain ?: attempts.first()
     }
 
     private fun compileAsIs(
@@ -77,5 +71,5 @@ internal object GlslCompiler {
         return found.ifEmpty { listOf(Problem(file, 0, messages.trim())) }
     }
 
-    private val VERSIONS = 140..460
+    private const val NEWEST = 460
 }

@@ -1,37 +1,47 @@
 package cga.reader.glsl
 
-import cga.reader.shader.Stage
+private val VERSION = Regex("""(?m)^\s*#\s*version\s+(\d+)[^\n]*""")
 
-/** The version that a shader names. */
-internal val VERSION = Regex("""(?m)^\s*#\s*version\s+(\d+)""")
+/** The oldest GLSL that shaderc makes SPIR-V for OpenGL of. */
+private const val OLDEST = 330
+private const val NEWEST = 460
 
-/** A way of writing that drivers take and the compiler does not, and how it is put otherwise, on the same line. */
+/** A way of writing that drivers take and shaderc does not, and how it is put otherwise, on the same line. */
 internal enum class Repair(
-    private val what: String,
+    val what: String,
     private val pattern: Regex,
-    private val put: (MatchResult, Stage) -> String,
+    private val replacement: String,
 ) {
-    OLD_VERSION("GLSL before 3.30 is read as 3.30", Regex("""(?m)^(\s*#\s*version\s+)(140|150)\b"""), { found, _ -> found.groupValues[1] + "330" }),
-    FLOAT_SUFFIX("1f is read as 1.0f", Regex("""(?<![\w.])(\d+)[fF]\b"""), { found, _ -> found.groupValues[1] + ".0f" }),
+    FLOAT_SUFFIX("1f is read as 1.0f", Regex("""(?<![\w.])(\d+)[fF]\b"""), "$1.0f"),
     OLD_TEXTURE(
         "texture2D and its like are read as texture",
         Regex("""\b(?:texture|shadow)(?:1D|2D|3D|Cube)((?:Proj)?(?:Lod|Grad)?)(?=\s*\()"""),
-        { found, _ -> "texture" + found.groupValues[1] },
+        "texture$1",
     ),
     ;
 
     companion object {
-        /** [text] with every repair that applies, and what was done. Comments are gone. */
+        /** Whether [text] names a version that shaderc takes. Of others it complains to the process's output. */
+        fun hasKnownVersion(text: String): Boolean = version(withoutComments(text)) in OLDEST..NEWEST
+
+        /** [text] as GLSL [version] with every repair that applies, and what was done; its comments are gone. */
         fun all(
             text: String,
-            stage: Stage,
+            version: Int = OLDEST,
         ): Pair<String, List<String>> {
+            val plain = withoutComments(text)
             val made = ArrayList<String>()
-            val repaired = entries.fold(withoutComments(text)) { current, repair ->
-                repair.pattern.replace(current) { repair.put(it, stage) }.also { if (it != current) made += repair.what }
+            val repaired = entries.fold(plain) { current, repair ->
+                repair.pattern.replace(current, repair.replacement).also { if (it != current) made += repair.what }
             }
-            return repaired to made
+            val old = version(plain)
+            if (old in version..NEWEST) return repaired to made
+            made += "GLSL ${old ?: 110} is read as $version"
+            val line = "#version $version"
+            return (if (old == null) "$line\n#line 1\n$repaired" else VERSION.replace(repaired, line)) to made
         }
+
+        private fun version(text: String) = VERSION.find(text)?.groupValues?.get(1)?.toIntOrNull()
     }
 }
 

@@ -19,7 +19,6 @@ internal class Arithmetic(private val emitter: Emitter) {
         DIRECT[op]?.let { return each(type, it, List(instruction.operands.size, ::operand)) }
         REVERSED[op]?.let { return each(type, it, listOf(operand(1), operand(0))) }
         return when (op) {
-            Op.CONVERT_S_TO_F, Op.CONVERT_U_TO_F -> Value(type, operand(0).cells)
             Op.BITCAST -> each(type, bitcast(operand(0).type.componentType, type.componentType), listOf(operand(0)))
             Op.VECTOR_TIMES_SCALAR, Op.MATRIX_TIMES_SCALAR -> {
                 val factor = operand(1).cell
@@ -90,6 +89,8 @@ internal class Arithmetic(private val emitter: Emitter) {
             Op.NOT to Operation.BIT_NOT,
             Op.CONVERT_F_TO_S to Operation.FLOAT_TO_INT,
             Op.CONVERT_F_TO_U to Operation.FLOAT_TO_INT,
+            Op.CONVERT_S_TO_F to Operation.INT_TO_FLOAT,
+            Op.CONVERT_U_TO_F to Operation.INT_TO_FLOAT,
             Op.IS_NAN to Operation.IS_NAN,
             Op.IS_INF to Operation.IS_INF,
             Op.LOGICAL_EQUAL to Operation.EQUAL,

@@ -49,6 +49,7 @@ internal fun rare(
         Operation.IS_NAN -> truth(x.isNaN())
         Operation.IS_INF -> truth(x.isInfinite())
         Operation.FLOAT_TO_INT -> if (unsigned) x.toLong().coerceIn(0, UInt.MAX_VALUE.toLong()).toDouble() else x.toInt().toDouble()
+        Operation.INT_TO_FLOAT -> x
         Operation.FLOAT_BITS -> wrapped(x.toFloat().toRawBits().toLong(), unsigned)
         Operation.BITS_FLOAT -> Float.fromBits(x.toLong().toInt()).toDouble()
         else -> wrapped(integer(operation, x.toLong(), y.toLong()), unsigned)

@@ -84,8 +84,9 @@ public enum class Operation(
     /** The same 32 bits as another kind of integer. */
     INT_CAST(1),
 
-    /** A float cut off to an integer. */
+    /** A float cut off to an integer, and back. */
     FLOAT_TO_INT(1),
+    INT_TO_FLOAT(1),
 
     /** The bits of a float as an integer, and back. */
     FLOAT_BITS(1),

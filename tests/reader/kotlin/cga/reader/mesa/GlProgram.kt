@@ -86,18 +86,20 @@ internal class GlProgram(vertex: String, fragment: String, beforeLink: (Int) -> 
     }
 
     private fun setInBlock(slot: Slot, numbers: DoubleArray) {
-        // The first of an array of basic types is listed under the array's name.
-        val index = glGetUniformIndices(id, slot.name)
+        // Of an array of basic types only the first is listed.
+        val element = Regex("""(.*)\[(\d+)]""").matchEntire(slot.name)
+        val index = glGetUniformIndices(id, element?.let { it.groupValues[1] + "[0]" } ?: slot.name)
         if (index == GL_INVALID_INDEX) return
         val block = glGetActiveUniformsi(id, index, GL_UNIFORM_BLOCK_INDEX)
         if (block < 0) return
         buffers.getOrPut(block) { newBuffer(block) }.let { glBindBuffer(GL_UNIFORM_BUFFER, it) }
-        val offset = glGetActiveUniformsi(id, index, GL_UNIFORM_OFFSET)
+        val before = if (element == null) 0 else element.groupValues[2].toInt() * glGetActiveUniformsi(id, index, GL_UNIFORM_ARRAY_STRIDE)
+        val offset = glGetActiveUniformsi(id, index, GL_UNIFORM_OFFSET) + before
         val stride = glGetActiveUniformsi(id, index, GL_UNIFORM_MATRIX_STRIDE)
         for ((i, number) in numbers.withIndex()) {
             val at = (offset + i / slot.rows * maxOf(stride, 0) + i % slot.rows * Float.SIZE_BYTES).toLong()
-            val isFloat = slot.kind == Kind.FLOAT
-            if (isFloat) glBufferSubData(GL_UNIFORM_BUFFER, at, floatArrayOf(number.toFloat())) else glBufferSubData(GL_UNIFORM_BUFFER, at, intArrayOf(number.toInt()))
+            val bits = if (slot.kind == Kind.FLOAT) number.toFloat().toRawBits() else number.toLong().toInt()
+            glBufferSubData(GL_UNIFORM_BUFFER, at, intArrayOf(bits))
         }
     }
 

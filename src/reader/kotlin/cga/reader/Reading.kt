@@ -7,6 +7,7 @@ import cga.reader.shader.Stage
 import cga.reader.spirv.ModuleReader
 import cga.reader.spirv.UnreadableException
 import cga.reader.spirv.instructions
+import cga.reader.spirv.naming
 
 /** What is wrong with a shader; [line] is 0 where it is not known. */
 public data class Problem(val file: String, val line: Int, val message: String) {
@@ -40,6 +41,6 @@ public sealed interface Reading {
         internal fun ofSpirv(
             binary: ByteArray,
             stage: Stage,
-        ): Shader = Lowering(ModuleReader(instructions(binary)).read()).lower(stage)
+        ): Shader = naming(null) { Lowering(ModuleReader(instructions(binary)).read()).lower(stage) }
     }
 }

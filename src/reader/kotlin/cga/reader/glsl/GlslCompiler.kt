@@ -39,7 +39,6 @@ internal object GlslCompiler {
         stage: Stage,
     ): Compiled {
         val options = shaderc_compile_options_initialize()
-        val compiler = shaderc_compiler_initialize()
         try {
             shaderc_compile_options_set_target_env(options, shaderc_target_env_opengl, shaderc_env_version_opengl_4_5)
             shaderc_compile_options_set_auto_map_locations(options, true)
@@ -58,7 +57,6 @@ internal object GlslCompiler {
                 shaderc_result_release(result)
             }
         } finally {
-            shaderc_compiler_release(compiler)
             shaderc_compile_options_release(options)
         }
     }
@@ -72,4 +70,7 @@ internal object GlslCompiler {
     }
 
     private const val NEWEST = 460
+
+    /** For good: with the last one shaderc forgets GLSL's built-in functions, which takes longer to read than a shader. */
+    private val compiler by lazy { shaderc_compiler_initialize() }
 }

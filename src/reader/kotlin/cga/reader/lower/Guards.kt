@@ -19,9 +19,10 @@ internal fun guards(function: Function): Map<Int, Int> {
         val stops = loops.filter { block.label in it.second }.flatMap { it.first } + merges + block.label
         block.label to reachable(successors(block), blocks, stops.toSet())
     }
-    return blocks.keys.mapNotNull { label ->
-        regions.filter { label in it.second }.minByOrNull { it.second.size }?.let { label to it.first }
-    }.toMap()
+    return blocks.keys
+        .mapNotNull { label ->
+            regions.filter { label in it.second }.minByOrNull { it.second.size }?.let { label to it.first }
+        }.toMap()
 }
 
 /** The labels that a block may go on to. */

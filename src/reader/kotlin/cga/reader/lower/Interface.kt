@@ -31,7 +31,13 @@ internal class Interface(private val emitter: Emitter) {
     /** Members of a block are called after the block, or by themselves where its variable has no name. */
     private fun root(global: GlobalVariable): String {
         val type = global.type
-        return if (type !is Type.Struct || !type.isBlock) global.name else if (global.name.isEmpty()) "" else type.name
+        return if (type !is Type.Struct || !type.isBlock) {
+            global.name
+        } else if (global.name.isEmpty()) {
+            ""
+        } else {
+            type.name
+        }
     }
 
     private fun addSlots(

@@ -126,7 +126,7 @@ public class Machine(public val shader: Shader) {
         gradientY: DoubleArray,
     ): Boolean {
         val call = shader.textures[code[pc * Shader.STRIDE + 2]]
-        val sampler = samplers[cells[call.sampler].toInt()] ?: return false
+        val sampler = samplers.getOrNull(cells[call.sampler].toInt()) ?: return false
         val isSize = shader.operation(pc) == Operation.TEXTURE_SIZE
         val numbers = if (isSize) look.size(call, sampler) else look.sample(call, sampler, gradientX, gradientY)
         for (i in 0 until call.results) {

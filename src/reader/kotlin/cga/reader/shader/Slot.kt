@@ -1,6 +1,6 @@
 package cga.reader.shader
 
-/** The kinds of numbers of GLSL. A sampler is one of a machine's textures. */
+/** The kinds of numbers of GLSL. A sampler is one of a machine's textures; a boolean in a block counts as [UINT]. */
 public enum class Kind { FLOAT, INT, UINT, BOOL, SAMPLER }
 
 /**

@@ -142,19 +142,26 @@ internal class ModuleReader(private val instructions: List<Instruction>) {
     }
 }
 
-/** [action], where what does not fit SPIR-V's rules is told as a fault of [instruction]. */
-internal fun <T> naming(instruction: Instruction, action: () -> T): T =
+/** [action], where what does not fit SPIR-V's rules is told as a fault of [instruction], or of the whole where that is null. */
+internal fun <T> naming(
+    instruction: Instruction?,
+    action: () -> T,
+): T =
     try {
         action()
     } catch (e: UnreadableException) {
-        throw if (e.line > 0) e else UnreadableException(e.message.orEmpty(), instruction.line)
+        throw if (e.line > 0 || instruction == null) e else UnreadableException(e.message.orEmpty(), instruction.line)
     } catch (_: IndexOutOfBoundsException) {
         throw malformed(instruction)
     } catch (_: NoSuchElementException) {
+        throw malformed(instruction)
+    } catch (_: IllegalArgumentException) {
         throw malformed(instruction)
     } catch (_: ClassCastException) {
         throw malformed(instruction)
     }
 
-private fun malformed(instruction: Instruction) =
-    UnreadableException("SPIR-V's ${instruction.op} with operands ${instruction.operands.asList()} is malformed", instruction.line)
+private fun malformed(instruction: Instruction?): UnreadableException {
+    val what = instruction?.let { "SPIR-V's ${it.op} with operands ${it.operands.asList()}" } ?: "the SPIR-V module"
+    return UnreadableException("$what is malformed", instruction?.line ?: 0)
+}

@@ -24,7 +24,8 @@ public class RunningError(private val tape: Tape) {
         for (entry in errors.indices) {
             val error = error(entry)
             val value = tape.value(entry)
-            errors[entry] = if (error.isNaN() || !value.isFinite() || abs(value) + error > Float.MAX_VALUE) Double.POSITIVE_INFINITY else error
+            errors[entry] =
+                if (error.isNaN() || !value.isFinite() || abs(value) + error > Float.MAX_VALUE) Double.POSITIVE_INFINITY else error
             val isBranch = tape.operation(entry) == Operation.BRANCH || tape.operation(entry) == Operation.SWITCH
             if (isBranch && errors[entry] > 0) isDecided = false
         }

@@ -12,13 +12,14 @@ public class Slice internal constructor(
 ) {
     /** Uniforms, samplers among them, and inputs. */
     public val slots: Set<Slot>
-        get() = given.mapNotNull {
-            when (val source = tape.source(it)) {
-                is Source.Uniform -> source.slot
-                is Source.Input -> source.slot
-                else -> null
-            }
-        }.toSet()
+        get() = given
+            .mapNotNull {
+                when (val source = tape.source(it)) {
+                    is Source.Uniform -> source.slot
+                    is Source.Input -> source.slot
+                    else -> null
+                }
+            }.toSet()
 
     /** Everything that no operation made, component by component. */
     public val sources: Set<Source> get() = given.map(tape::source).toSet()

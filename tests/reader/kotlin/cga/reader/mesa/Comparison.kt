@@ -35,7 +35,10 @@ internal class Comparison {
             }
             numbers++
             val ratio = abs(drawn[i] - read[i]) / (bound + 1e-37)
-            if (!(ratio <= 1)) wrong += "$what: $name[$i] is ${drawn[i]}, read ${read[i]}, off by ${abs(drawn[i] - read[i])}, at most $bound"
+            if (!(ratio <= 1)) {
+                wrong +=
+                    "$what: $name[$i] is ${drawn[i]}, read ${read[i]}, off by ${abs(drawn[i] - read[i])}, at most $bound"
+            }
             if (ratio > largest) largest = ratio
         }
     }

@@ -1,11 +1,12 @@
 package cga.reader.mesa
 
-import cga.reader.Reading
+import cga.reader.shader
 import cga.reader.shader.Stage
 import cga.testing.Offscreen
 import cga.testing.Slow
 import cga.testing.projectRoot
 import org.junit.jupiter.api.Assertions.assertEquals
+import org.junit.jupiter.api.Assertions.assertTrue
 import org.junit.jupiter.api.Test
 import org.junit.jupiter.api.extension.ExtendWith
 import org.lwjgl.opengl.GL33C.*
@@ -20,39 +21,27 @@ class CorpusComparisonTest {
     fun `every shader computes what Mesa draws`() {
         glBindVertexArray(glGenVertexArrays())
         val all = Comparison()
-        val notRead = ArrayList<String>()
-        val refused = ArrayList<String>()
         val shaders = shaders()
         for (file in shaders) {
             val name = file.relativeTo(projectRoot).invariantSeparatorsPath
+            val stage = if ("vert" in file.name) Stage.VERTEX else Stage.FRAGMENT
             val text = expanded(file)
-            val stage = if (file.name.contains("vert")) Stage.VERTEX else Stage.FRAGMENT
-            val reading = Reading.of(name, text, stage)
-            if (reading !is Reading.Done) {
-                notRead += (reading as Reading.Failed).problems.toString()
-                continue
-            }
-            try {
-                val compare = if (stage == Stage.VERTEX) ::compareVertices else ::compareFragments
-                val c = compare(name, text, reading.shader, POINTS, Random(1))
-                println("$name $c")
-                all += c
-            } catch (e: Refused) {
-                refused += "$name: ${e.message}"
-            } catch (e: IllegalStateException) {
-                refused += "$name: ${e.message}"
-            }
+            val compare = if (stage == Stage.VERTEX) ::compareVertices else ::compareFragments
+            val compared = compare(name, text, shader(text, stage, name), POINTS, Random(1))
+            // Half of what is computed can be told at least, or the numbers given are no good.
+            assertTrue(compared.numbers >= compared.open) { "$name: $compared" }
+            all += compared
         }
-        println("${shaders.size} shaders, ${notRead.size} not read, ${refused.size} refused by the driver: $all")
-        notRead.forEach(::println)
-        refused.forEach(::println)
-        all.wrong.take(40).forEach(::println)
-        assertEquals(emptyList<String>(), all.wrong.take(10))
+        println("${shaders.size} shaders: $all")
+        assertEquals(emptyList<String>(), all.wrong)
+        assertTrue(shaders.size > 190 && all.numbers > 50_000) { "${shaders.size} shaders: $all" }
     }
 
     private fun shaders(): List<File> =
-        listOf("tests/submissions", "shaders").flatMap { projectRoot.resolve(it).walk() }
-            .filter { it.extension in setOf("glsl", "vert", "frag") && (it.extension != "glsl" || '_' in it.name) }.sorted()
+        listOf("tests/submissions", "shaders")
+            .flatMap { projectRoot.resolve(it).walk() }
+            .filter { it.extension in setOf("glsl", "vert", "frag") && (it.extension != "glsl" || '_' in it.name) }
+            .sorted()
 
     /** One program of the corpus puts its shaders together itself. */
     private fun expanded(file: File): String =

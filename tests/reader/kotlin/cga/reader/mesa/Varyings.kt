@@ -1,11 +1,11 @@
 package cga.reader.mesa
 
 import cga.reader.spirv.GlobalVariable
+import cga.reader.spirv.ModuleReader
 import cga.reader.spirv.Op
 import cga.reader.spirv.Storage
 import cga.reader.spirv.Type
 import cga.reader.spirv.instructions
-import cga.reader.spirv.ModuleReader
 
 /** A vertex shader that hands a fragment shader what uniforms hold, without a change: at a point nothing is interpolated. */
 internal class Varyings(binary: ByteArray) {
@@ -60,7 +60,14 @@ internal class Varyings(binary: ByteArray) {
         return "${type.name} { $members } ${input.name}"
     }
 
-    private fun declare(type: Type, name: String): String = if (type is Type.Array) declare(type.element, "$name[${type.count}]") else "${glsl(type)} $name"
+    private fun declare(type: Type, name: String): String = if (type is Type.Array) {
+        declare(
+            type.element,
+            "$name[${type.count}]",
+        )
+    } else {
+        "${glsl(type)} $name"
+    }
 
     private fun glsl(type: Type): String =
         when (type) {

@@ -51,7 +51,15 @@ private fun comparePoint(what: String, program: GlProgram, shader: Shader, outpu
     val drawn = feedback(outputs.sumOf { it.size })
     var at = 0
     for (output in outputs) {
-        val numbers = DoubleArray(output.size) { if (output.kind == Kind.FLOAT) drawn[at + it].toDouble() else drawn[at + it].toRawBits().toDouble() }
+        val numbers = DoubleArray(output.size) {
+            if (output.kind ==
+                Kind.FLOAT
+            ) {
+                drawn[at + it].toDouble()
+            } else {
+                drawn[at + it].toRawBits().toDouble()
+            }
+        }
         comparison.add(what, machine[output], tape, outcome, output.name, numbers)
         at += output.size
     }

@@ -11,6 +11,7 @@ rootProject.name = "cga-lights"
 
 // The parts: each builds, tests and is understood alone, and uses only parts above it.
 part("scene") // framework and exercise: what students get
+part("reader") // what a shader computes, step by step
 part("pictures") // imaging and reference: comparing pictures, and the truth
 part("cli") // the command line, `render` and `diff`
 part("window") // inspect: the window's look into the formula

@@ -5,6 +5,7 @@ plugins {
 }
 
 dependencies {
+    implementation(project(":reader"))
     implementation(project(":window"))
     implementation(project(":grader"))
     implementation(project(":lab"))

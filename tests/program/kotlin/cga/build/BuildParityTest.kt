@@ -67,7 +67,7 @@ class BuildParityTest {
         assertReport("JVM target: Gradle 21, Maven 17", report("(fromTarget\\().*\\)", "$1\"21\")"))
         assertReport("explicit API: Gradle false, Maven true", report("explicitApi\\(\\)", "explicitApiWarning()"))
         assertReport("test heap: Gradle 1g, Maven 2g", report("maxHeapSize = .*", "maxHeapSize = \"1g\""))
-        val allMissing = List(7) { "*: runtime *: Gradle nothing, Maven *" }.joinToString()
+        val allMissing = List(8) { "*: runtime *: Gradle nothing, Maven *" }.joinToString()
         assertReport(allMissing.replace("runtime *:", "runtime *:*:natives-macos-arm64:"), report(", \"macos-arm64\"", ""))
     }
 

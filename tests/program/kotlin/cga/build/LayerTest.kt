@@ -12,6 +12,7 @@ class LayerTest {
         mapOf(
             "framework" to setOf(),
             "exercise" to setOf("framework"),
+            "reader" to setOf("framework"),
             "reference" to setOf("framework"),
             "imaging" to setOf("framework"),
             "grading" to setOf("imaging", "reference", "exercise", "framework"),

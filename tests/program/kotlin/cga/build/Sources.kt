@@ -15,6 +15,7 @@ internal fun kotlinFiles(vararg folders: String): List<File> =
 internal val PACKAGES: Map<String, Set<String>> =
     mapOf(
         "scene" to setOf("framework", "exercise"),
+        "reader" to setOf("reader"),
         "pictures" to setOf("imaging", "reference"),
         "cli" to setOf("cli"),
         "window" to setOf("inspect", "cli.window"),

@@ -1,0 +1,50 @@
+package cga.reader.glsl
+
+private val VERSION = Regex("""(?m)^\s*#\s*version\s+(\d+)[^\n]*""")
+
+/** The oldest GLSL that shaderc makes SPIR-V for OpenGL of. */
+private const val OLDEST = 330
+private const val NEWEST = 460
+
+/** A way of writing that drivers take and shaderc does not, and how it is put otherwise, on the same line. */
+internal enum class Repair(
+    val what: String,
+    private val pattern: Regex,
+    private val replacement: String,
+) {
+    FLOAT_SUFFIX("1f is read as 1.0f", Regex("""(?<![\w.])(\d+)[fF]\b"""), "$1.0f"),
+    OLD_TEXTURE(
+        "texture2D and its like are read as texture",
+        Regex("""\b(?:texture|shadow)(?:1D|2D|3D|Cube)((?:Proj)?(?:Lod|Grad)?)(?=\s*\()"""),
+        "texture$1",
+    ),
+    ;
+
+    companion object {
+        /** Whether [text] names a version that shaderc takes. Of others it complains to the process's output. */
+        fun hasKnownVersion(text: String): Boolean = version(withoutComments(text)) in OLDEST..NEWEST
+
+        /** [text] as GLSL [version] with every repair that applies, and what was done; its comments are gone. */
+        fun all(
+            text: String,
+            version: Int = OLDEST,
+        ): Pair<String, List<String>> {
+            val plain = withoutComments(text)
+            val made = ArrayList<String>()
+            val repaired = entries.fold(plain) { current, repair ->
+                repair.pattern.replace(current, repair.replacement).also { if (it != current) made += repair.what }
+            }
+            val old = version(plain)
+            if (old in version..NEWEST) return repaired to made
+            made += "GLSL ${old ?: 110} is read as $version"
+            val line = "#version $version"
+            return (if (old == null) "$line\n#line 1\n$repaired" else VERSION.replace(repaired, line)) to made
+        }
+
+        private fun version(text: String) = VERSION.find(text)?.groupValues?.get(1)?.toIntOrNull()
+    }
+}
+
+/** [text] with blanks for comments; lines stay where they are. */
+internal fun withoutComments(text: String): String =
+    Regex("""//[^\n]*|/\*[\s\S]*?(?:\*/|$)""").replace(text) { comment -> comment.value.replace(Regex("[^\n]"), " ") }

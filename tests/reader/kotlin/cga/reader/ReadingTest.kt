@@ -1,0 +1,87 @@
+package cga.reader
+
+import cga.reader.shader.Kind
+import cga.reader.shader.Stage
+import org.junit.jupiter.api.Assertions.assertEquals
+import org.junit.jupiter.api.Assertions.assertTrue
+import org.junit.jupiter.api.Test
+import org.junit.jupiter.params.ParameterizedTest
+import org.junit.jupiter.params.provider.CsvSource
+
+class ReadingTest {
+    @Test
+    fun `what is wrong is told with file and line`() {
+        assertEquals(
+            listOf("my.frag:3: 'lihgt' : undeclared identifier"),
+            problems("#version 330 core\nout vec4 c;\nvoid main() { c = vec4(lihgt); }\n").take(1),
+        )
+    }
+
+    @Test
+    fun `a part of a shader is told by what it lacks`() {
+        assertTrue("my.frag:2: 'view' : undeclared identifier" in problems("// camera\nvec4 f() { return view * vec4(1.0); }\n"))
+    }
+
+    @Test
+    fun `a shader too large to be taken apart is told`() {
+        val twice = (1..20).joinToString("\n") { "float f$it(float x) { return f${it - 1}(x) + f${it - 1}(x + 1.0); }" }
+        val text = "#version 330 core\nout vec4 c; in float n; float f0(float x) { return sin(x); }\n$twice\n" +
+            "void main() { c = vec4(f20(n)); }"
+        assertTrue(
+            Regex("my.frag:\\d: cannot be read: more than \\d+ operations, .*").matches(problems(text).single()),
+        ) { "${problems(text)}" }
+    }
+
+    @ParameterizedTest
+    @CsvSource(
+        "'#version 330 core|in vec3 n; out vec4 c;|void main() { c = vec4(n, 1f); }', 1f is read as 1.0f",
+        "'#version 330 core|uniform sampler2D t; in vec3 n; out vec4 c;|void main() { c = texture2D(t, n.xy); }', texture2D and its like are read as texture",
+        "'#version 150|in vec3 n; out vec4 c;|void main() { c = vec4(n, 1); }', GLSL 150 is read as 330",
+        "'/* old */ varying vec3 n;|  // none|void main() { gl_FragColor = vec4(n, 1.0); }', GLSL 110 is read as 330",
+        "'#version 300 es|precision mediump float; in vec3 n; out vec4 c;|void main() { c = vec4(n, 1.0); }', GLSL 300 is read as 330",
+        "'#version 330 core|in vec3 n; out vec4 c;|void main() { c = vec4(n, 1.0); };', GLSL 330 is read as 460",
+        "'#version 330 core|in vec3 n; out vec4 c;|void main() { vec3 a[] = { n, n }; c = vec4(a[1], 1.0); }', GLSL 330 is read as 460",
+    )
+    fun `what drivers take is repaired, on the same line`(text: String, repair: String) {
+        val reading = Reading.of("my.frag", text.replace('|', '\n'), Stage.FRAGMENT)
+        assertTrue(reading is Reading.Done) { (reading as Reading.Failed).problems.joinToString() }
+        reading as Reading.Done
+        assertEquals(listOf(repair), reading.repairs)
+        assertEquals(3, (0 until reading.shader.size - 1).maxOf(reading.shader::line))
+    }
+
+    @Test
+    fun `uniforms, inputs and outputs are called as OpenGL calls them`() {
+        val shader = shader(
+            """
+            #version 330 core
+            struct Light { vec3 place; float k[2]; };
+            uniform Light lights[2];
+            uniform Block { mat3 turn; bool on; } block;
+            uniform Plain { uint loose; };
+            uniform sampler2D map;
+            in Data { vec2 uv; } data;
+            flat in int number;
+            out vec4 color;
+            void main() { color = vec4(lights[1].k[number] + float(loose) + float(block.on)) + texture(map, data.uv) + vec4(block.turn[0], 1.0); }
+            """.trimIndent(),
+        )
+        assertEquals(
+            listOf(
+                "lights[0].place", "lights[0].k[0]", "lights[0].k[1]", "lights[1].place", "lights[1].k[0]", "lights[1].k[1]",
+                "Block.turn", "Block.on", "loose", "map",
+            ).sorted(),
+            shader.uniforms.map { it.name }.sorted(),
+        )
+        assertEquals(setOf("Data.uv", "number"), shader.inputs.map { it.name }.toSet())
+        assertEquals(listOf("color"), shader.outputs.map { it.name })
+        val kinds = listOf("Block.turn", "Block.on", "loose", "map", "number").associateWith { shader.slot(it)?.kind }
+        assertEquals(
+            mapOf("Block.turn" to Kind.FLOAT, "Block.on" to Kind.UINT, "loose" to Kind.UINT, "map" to Kind.SAMPLER, "number" to Kind.INT),
+            kinds,
+        )
+    }
+
+    private fun problems(text: String): List<String> =
+        (Reading.of("my.frag", text, Stage.FRAGMENT) as Reading.Failed).problems.map { "$it" }
+}

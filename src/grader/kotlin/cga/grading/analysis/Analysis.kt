@@ -90,6 +90,7 @@ internal class Analysis(
                 EventKind.TEXTURE_FILE,
                 EventKind.GL_ERROR,
                 EventKind.SHADER_DIALECT,
+                EventKind.ANISOTROPY,
             )
     }
 }

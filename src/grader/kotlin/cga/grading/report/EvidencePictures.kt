@@ -5,14 +5,20 @@ import cga.framework.image.ImageData
 import cga.grading.findings.Check
 import cga.grading.findings.Evidence
 import cga.grading.findings.Findings
+import cga.grading.findings.Mistake
 import cga.imaging.BytePicture
 import cga.imaging.PictureFile
 import cga.imaging.report.EmbeddedPicture
 import java.nio.file.Path
 
-/** One piece of evidence with its pictures made ready; [expected] is null where there is none, or none of the same size. */
+/**
+ * One piece of evidence with its pictures made ready; [expected] is null where there is none, or none of the same size.
+ *
+ * @param own what [measured] is called.
+ */
 internal class EvidenceView(
     val evidence: Evidence,
+    val own: String,
     val measured: EmbeddedPicture,
     val expected: EmbeddedPicture?,
 )
@@ -23,6 +29,9 @@ internal class EvidencePictures(
     findings: Findings,
     private val messages: Messages,
 ) {
+    /** Whether some of the reference's files had a part in drawing them. */
+    val areRepaired: Boolean = findings.mistakes.any { it.mistake == Mistake.KOTLIN_REFUSED }
+    private val own = messages.text(if (areRepaired) "page.repaired" else "page.yours")
     private val broken = mutableListOf<String>()
     private val views = findings.pictures.mapIndexedNotNull { i, evidence -> view("picture-$i", evidence) }
     private val charged = findings.mistakes.map { it.mistake.check }.toSet()
@@ -60,7 +69,8 @@ internal class EvidencePictures(
         val title = cleanLine(messages.say(evidence.title))
         return EvidenceView(
             evidence,
-            EmbeddedPicture("$id-measured", "$title, ${messages.text("page.yours")}", measured),
+            own,
+            EmbeddedPicture("$id-measured", "$title, $own", measured),
             expected?.let { EmbeddedPicture("$id-expected", "$title, ${messages.text("page.expected")}", it) },
         )
     }

@@ -30,7 +30,7 @@ internal fun FlowContent.mistakes(findings: Findings, grade: Grade, pictures: Ev
         val home = grade.checks.find { it.state == CheckState.MISTAKE && it.cause == found.mistake }?.takeIf { told.add(it) }
         val proofs = if (told.add("proofs of ${found.mistake.check}")) pictures.proofs(found.mistake.check) else emptyList()
         val seen = if (found.mistake == Mistake.UNKNOWN) deviations(grade, messages) else emptyList()
-        card(found, home, seen, proofs, messages)
+        card(found, cost(found.mistake, home, grade, messages), seen, proofs, messages)
     }
 }
 
@@ -42,17 +42,16 @@ internal fun deviations(grade: Grade, messages: Messages): List<String> {
     return told.map { (check, text) -> "${messages.of(check).title}: $text" }
 }
 
-/** @param home the check that it costs, and that no card before has told of. */
-private fun FlowContent.card(found: Found, home: CheckGrade?, seen: List<String>, proofs: List<EvidenceView>, messages: Messages) {
+/** @param cost what it costs, in words; null for nothing. */
+private fun FlowContent.card(found: Found, cost: String?, seen: List<String>, proofs: List<EvidenceView>, messages: Messages) {
     val words = messages.of(found.mistake)
-    val lost = home?.run { maximum - (points ?: maximum) } ?: 0.0
-    section(if (lost > 0 || found.mistake == Mistake.UNKNOWN) "case fail" else "case warn") {
+    section(if (cost != null || found.mistake == Mistake.UNKNOWN) "case fail" else "case warn") {
         details {
             open = true
             summary {
                 h2 { +words.title }
                 // What has no name costs where it is measured.
-                if (found.mistake != Mistake.UNKNOWN) span("cost") { +cost(home, lost, messages) }
+                if (found.mistake != Mistake.UNKNOWN) span("cost") { +(cost ?: messages.text("page.costs-nothing")) }
             }
             p { +words.text }
             if (seen.isNotEmpty()) ul { seen.forEach { li { +it } } }
@@ -86,8 +85,28 @@ private fun FlowContent.proof(view: EvidenceView, messages: Messages) {
     div(if (view.expected == null) "alone" else "pairing") { pair(view, messages) }
 }
 
-private fun cost(home: CheckGrade?, lost: Double, messages: Messages): String =
-    if (home != null && lost > 0) "−${messages.number(lost)} · ${messages.of(home.check).title}" else messages.text("page.costs-nothing")
+/**
+ * What [mistake] costs, in words; null for nothing.
+ *
+ * @param home the check that it costs, and that no card before has told of.
+ */
+internal fun cost(mistake: Mistake, home: CheckGrade?, grade: Grade, messages: Messages): String? {
+    val lost = home?.run { maximum - (points ?: maximum) } ?: 0.0
+    val own = if (home != null && lost > 0) "−${messages.number(lost)} · ${messages.of(home.check).title}" else null
+    val more =
+        when (mistake) {
+            // All that belongs to a file goes with it.
+            Mistake.KOTLIN_REFUSED -> {
+                val gone = grade.checks.filter { it.state == CheckState.NOT_FOUND && it.text == REPLACED }.sumOf { it.maximum }
+                if (gone > 0) messages.text("page.costs-file", messages.number(gone)) else null
+            }
+            Mistake.SHADER_REFUSED -> if (grade.open > 0) messages.text("page.costs-open", messages.number(grade.open)) else null
+            else -> null
+        }
+    return listOfNotNull(own, more).joinToString("; ").ifEmpty { null }
+}
 
+/** What is said of a check whose file was replaced. */
+private const val REPLACED = "The file that this belongs to does not compile: the reference's took its place."
 private const val MOST_PROOFS = 3
 private const val MOST_DEVIATIONS = 5

@@ -10,9 +10,15 @@ import kotlinx.html.p
 internal fun FlowContent.mainPicture(pictures: EvidencePictures, messages: Messages) {
     val first = pictures.main.firstOrNull() ?: return
     val expected = first.expected
-    part(messages.text(if (expected == null) "page.picture-alone" else "page.picture")) {
+    val title =
+        when {
+            pictures.areRepaired -> "page.picture-repaired"
+            expected == null -> "page.picture-alone"
+            else -> "page.picture"
+        }
+    part(messages.text(title)) {
         if (expected != null) {
-            div("main-picture") { slider(first.measured, expected, messages.text("page.yours"), messages.text("page.expected")) }
+            div("main-picture") { slider(first.measured, expected, first.own, messages.text("page.expected")) }
         }
         div("pairing") { pair(first, messages) }
         for (view in pictures.main.drop(1)) {
@@ -40,6 +46,6 @@ internal fun FlowContent.lights(pictures: EvidencePictures, messages: Messages) 
 
 /** What was drawn, and what should have been, side by side; this is where the page carries them. */
 internal fun FlowContent.pair(view: EvidenceView, messages: Messages) {
-    pictureFigure(view.measured, messages.text("page.yours"))
+    pictureFigure(view.measured, view.own)
     view.expected?.let { pictureFigure(it, messages.text("page.expected")) }
 }

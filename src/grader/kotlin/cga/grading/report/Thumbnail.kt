@@ -4,6 +4,7 @@ import cga.framework.AtomicFile
 import cga.framework.InputError
 import cga.framework.image.ImageData
 import cga.grading.findings.Findings
+import cga.grading.findings.Mistake
 import cga.imaging.BytePicture
 import cga.imaging.PictureFile
 import cga.imaging.report.Shrink
@@ -24,11 +25,15 @@ public object Thumbnail {
     // So few shades that it packs well; a sheet carries hundreds.
     private const val SHADE_BITS = 0xF8
 
-    /** Writes the thumbnail of the picture that [findings] show of all into [folder], or none where there is no readable picture. */
+    /**
+     * Writes the thumbnail of the picture that [findings] show of all into [folder], or none where there is no readable picture that is the
+     * submission's own.
+     */
     public fun write(findings: Findings, folder: Path) {
         val file = folder.resolve(NAME)
         val evidence = findings.pictures.find { it.check == null } ?: findings.pictures.firstOrNull()
-        val picture = evidence?.let { read(folder.resolve(it.measured)) }
+        val isOwn = findings.mistakes.none { it.mistake == Mistake.KOTLIN_REFUSED }
+        val picture = evidence?.takeIf { isOwn }?.let { read(folder.resolve(it.measured)) }
         if (picture == null) {
             file.deleteIfExists()
             return

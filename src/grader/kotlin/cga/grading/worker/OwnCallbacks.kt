@@ -1,5 +1,6 @@
 package cga.grading.worker
 
+import cga.grading.capture.Cursor
 import org.lwjgl.glfw.GLFW.*
 
 /**
@@ -17,11 +18,11 @@ internal class OwnCallbacks(private val window: Long) {
         return true
     }
 
-    /** Likewise of where the cursor is. */
-    fun move(act: Act.Move): Boolean {
+    /** Likewise of where the [cursor] is. */
+    fun move(cursor: Cursor): Boolean {
         val own = glfwSetCursorPosCallback(window, null) ?: return false
         glfwSetCursorPosCallback(window, own)
-        own.invoke(window, act.cursor.x, act.cursor.y)
+        own.invoke(window, cursor.x, cursor.y)
         return true
     }
 }

@@ -19,6 +19,7 @@ internal class Recorder(
     private val framebuffers = FramebufferCalls(tape, window, scene)
     private val writes = WriteCalls(draws.buffers.writes, draws.textures.writes)
     private val sentTwice = SentTwice(programs, tape)
+    private val anisotropy = Anisotropy(tape)
     private val steps = ArrayList<CapturedStep>()
     private var moment: Moment? = null
 
@@ -76,6 +77,7 @@ internal class Recorder(
 
     private fun pass(call: Call) {
         if (call.name.startsWith("glUniform")) checkUniform(call)
+        if ("Parameter" in call.name) anisotropy.limit(call)
         call.proceed()
         writes.note(call)
         when (call.name) {

@@ -33,14 +33,22 @@ internal class ShaderRepair(private val tape: Tape) {
         shaders: List<Int>,
         then: () -> Unit,
     ) {
-        val own = shaders.filterNot(::isReplaced)
-        if (own.size < shaders.size || !fits(program, shaders)) substitute(program, shaders)
+        val own = shaders.filterNot(::isReplaced).associateWith { glGetShaderSource(it) }
+        if (own.size < shaders.size || !fits(program, shaders)) {
+            restore(own)
+            substitute(program, shaders)
+        }
         then()
         // Another program may be linked of them too.
-        own.forEach { shader -> replaced.remove(shader)?.let { compiles(shader, it) } }
+        restore(own)
+        replaced -= own.keys
     }
 
-    /** Whether the stages fit together; what one of them calls otherwise than the other is called alike. */
+    private fun restore(sources: Map<Int, String>) {
+        for ((shader, source) in sources) if (glGetShaderSource(shader) != source) compiles(shader, source)
+    }
+
+    /** Whether the stages fit together; what one of them calls otherwise than the other is called alike, what only some drivers link said otherwise. */
     private fun fits(
         program: Int,
         shaders: List<Int>,
@@ -51,13 +59,20 @@ internal class ShaderRepair(private val tape: Tape) {
         val varyings = if (vertex == null || fragment == null) null else Varyings(glGetShaderSource(vertex), glGetShaderSource(fragment))
         val missing = varyings?.missing.orEmpty()
         if (isLinked && missing.isEmpty()) return true
-        val log = "${glGetProgramInfoLog(program)}\n${missing.joinToString("\n") { "$it is read and never written" }}"
-        val matched = varyings?.matched()
-        if (fragment != null && matched != null && links(program, mapOf(fragment to matched))) {
-            tape.event(EventKind.LINK_FAILED, "names that are much alike were taken for the same\n${log.trim()}")
-            return true
+        val log = (glGetProgramInfoLog(program).lines() + missing.map { "error: $it is read and never written" }).joinToString("\n").trim()
+        if (vertex != null && fragment != null && varyings != null) {
+            val matched = varyings.matched()
+            if (missing.isNotEmpty() && matched != null && links(program, mapOf(fragment to matched))) {
+                tape.event(EventKind.LINK_FAILED, "names that are much alike were taken for the same\n$log")
+                return true
+            }
+            val said = mapOf(vertex to varyings.interpolated(), fragment to varyings.zeroed())
+            if (said.any { (shader, source) -> glGetShaderSource(shader) != source } && links(program, said)) {
+                tape.event(EventKind.SHADER_DIALECT, "shader program\n$log")
+                return true
+            }
         }
-        tape.event(EventKind.LINK_FAILED, "stand-ins take the place of its shaders\n${log.trim()}")
+        tape.event(EventKind.LINK_FAILED, "stand-ins take the place of its shaders\n$log")
         return false
     }
 

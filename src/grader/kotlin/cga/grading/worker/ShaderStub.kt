@@ -128,7 +128,3 @@ internal class ShaderStub(
             )
     }
 }
-
-/** The GLSL [source] without what is not read of it. */
-internal fun withoutComments(source: String): String =
-    source.replace(Regex("""/\*[\s\S]*?\*/"""), " ").replace(Regex("""//[^\n]*"""), "")

@@ -32,6 +32,7 @@ internal object Signatures {
         glGetProgramiv=viip glGetShaderiv=viip glGetUniformLocation=iip glHint=vii glIsEnabled=zi glLineWidth=vf glLinkProgram=vi
         glMapBuffer=pii glMapBufferRange=pilli glMultiDrawArrays=vippi glMultiDrawElements=vipipi glMultiDrawElementsBaseVertex=vipipip
         glPixelStorei=vii glPointSize=vf glPolygonMode=vii glPolygonOffset=vff glReadBuffer=vi glReadPixels=viiiiiip glScissor=viiii
+        glSamplerParameterf=viif glSamplerParameterfv=viip glSamplerParameteri=viii glSamplerParameteriv=viip
         glShaderSource=viipp glStencilFunc=viii glStencilMask=vi glStencilOp=viii glTexImage1D=viiiiiiip glTexImage2D=viiiiiiiip
         glTexImage2DMultisample=viiiiiz glTexImage3D=viiiiiiiiip glTexParameterf=viif glTexParameterfv=viip glTexParameteri=viii
         glTexParameteriv=viip glTexStorage2D=viiiii glTexSubImage2D=viiiiiiiip glUniform1f=vif glUniform1fv=viip glUniform1i=vii

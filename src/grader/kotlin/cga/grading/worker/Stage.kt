@@ -1,10 +1,12 @@
 package cga.grading.worker
 
 import cga.grading.capture.CaptureLimits
+import cga.grading.capture.Cursor
 import cga.grading.capture.EventKind
 import org.lwjgl.glfw.GLFW.*
 import org.lwjgl.opengl.GL
 import org.lwjgl.opengl.GL33C.glViewport
+import org.lwjgl.system.MemoryStack
 
 /**
  * What the stand-in for the course's GameWindow stands on: an off-screen window, and a script in the place of clock, keyboard and mouse.
@@ -54,11 +56,12 @@ public class Stage(
     public var modifiers: Int = 0
         private set
 
-    /** The cursor in screen coordinates, likewise [cursorY]. */
-    public var cursorX: Double = Play.start.x
-        private set
-    public var cursorY: Double = Play.start.y
-        private set
+    /** The cursor in screen coordinates, likewise [cursorY]: where the script moved it, or the program put it since. */
+    public val cursorX: Double get() = cursor().x
+    public val cursorY: Double get() = cursor().y
+
+    /** Where the script has the cursor, whatever the program did with it. */
+    private var scripted = Play.start
 
     init {
         require(width in 1..CaptureLimits.SIDE && height in 1..CaptureLimits.SIDE) { "a window of ${width}x$height cannot be opened" }
@@ -83,7 +86,7 @@ public class Stage(
         acts = Play.acts(frequency, asked)
         ScriptedCalls.time = { time }
         ScriptedCalls.isHeld = ::isHeld
-        glfwSetCursorPos(window, cursorX, cursorY)
+        glfwSetCursorPos(window, scripted.x, scripted.y)
     }
 
     /** What to do next, one of the constants of this class; ends what was done before. */
@@ -93,7 +96,7 @@ public class Stage(
             when (val act = acts.next()) {
                 is Act.Update -> return update(act)
                 is Act.Press -> press(act).let { if (!callbacks.key(act)) return it }
-                is Act.Move -> move(act).let { if (!callbacks.move(act)) return it }
+                is Act.Move -> move(act).let { if (!callbacks.move(cursor())) return it }
                 is Act.Render -> return render(act)
             }
         }
@@ -132,12 +135,21 @@ public class Stage(
         return KEY
     }
 
+    /** A mouse is moved by a way, and the cursor goes it from wherever it is. */
     private fun move(act: Act.Move): Int {
-        cursorX = act.cursor.x
-        cursorY = act.cursor.y
-        glfwSetCursorPos(window, cursorX, cursorY)
+        val from = cursor()
+        glfwSetCursorPos(window, from.x + act.cursor.x - scripted.x, from.y + act.cursor.y - scripted.y)
+        scripted = act.cursor
         return MOVE
     }
+
+    private fun cursor(): Cursor =
+        MemoryStack.stackPush().use { stack ->
+            val x = stack.mallocDouble(1)
+            val y = stack.mallocDouble(1)
+            glfwGetCursorPos(window, x, y)
+            Cursor(x[0], y[0])
+        }
 
     private fun render(act: Act.Render): Int {
         dt = ((updates - lastPicture) / frequency).toFloat()

@@ -4,7 +4,6 @@ import cga.grading.capture.CaptureLimits
 import cga.grading.capture.CapturedTexture
 import cga.grading.capture.EventKind
 import cga.grading.capture.GlNumbers
-import org.lwjgl.opengl.EXTTextureFilterAnisotropic.GL_TEXTURE_MAX_ANISOTROPY_EXT
 import org.lwjgl.opengl.GL33C.*
 import org.lwjgl.system.MemoryStack
 
@@ -13,7 +12,6 @@ internal class Textures(private val tape: Tape) {
     val writes: Writes = Writes()
     private val images = HashMap<Int, Image>()
     private val numbers = HashMap<List<Any>, Int?>()
-    private val canBeAnisotropic = glGetString(GL_VERSION) != null && hasExtension("GL_EXT_texture_filter_anisotropic")
     private var target = TextureTarget.FLAT
 
     private class Image(
@@ -42,7 +40,7 @@ internal class Textures(private val tape: Tape) {
         val minFilter = filtering(GL_TEXTURE_MIN_FILTER)
         val magFilter = filtering(GL_TEXTURE_MAG_FILTER)
         val border = if (GL_CLAMP_TO_BORDER in listOf(wrapS, wrapT, wrapR)) border() else null
-        val key = listOf(name, image.count, wrapS, wrapT, wrapR, minFilter, magFilter, anisotropy(minFilter), border.orEmpty())
+        val key = listOf(name, image.count, wrapS, wrapT, wrapR, minFilter, magFilter, border.orEmpty())
         if (minFilter in GlNumbers.mipmapFilters && !isComplete(image)) {
             tape.event(EventKind.TEXTURE_INCOMPLETE, sampler)
             return null
@@ -51,7 +49,7 @@ internal class Textures(private val tape: Tape) {
         return numbers.getOrPut(key) {
             tape.add(
                 CapturedTexture(
-                    image.width, image.height, image.levels, wrapS, wrapT, minFilter, magFilter, anisotropy(minFilter), image.srgb,
+                    image.width, image.height, image.levels, wrapS, wrapT, minFilter, magFilter, NO_ANISOTROPY, image.srgb,
                     target == TextureTarget.CUBE, wrapR, image.depth, border,
                 ),
             )
@@ -120,19 +118,6 @@ internal class Textures(private val tape: Tape) {
     private fun isComplete(image: Image): Boolean =
         image.levels.size > minOf(parameter(GL_TEXTURE_MAX_LEVEL), lastLevel(image.width, image.height))
 
-    /** The anisotropy in force. Software rendering can hang on one without mipmaps, where it means little: it is turned off there. */
-    private fun anisotropy(minFilter: Int): Float {
-        if (!canBeAnisotropic) return 1f
-        val sampler = glGetInteger(GL_SAMPLER_BINDING)
-        val isIdle = minFilter !in GlNumbers.mipmapFilters
-        if (sampler != 0) {
-            if (isIdle) glSamplerParameterf(sampler, GL_TEXTURE_MAX_ANISOTROPY_EXT, 1f)
-            return glGetSamplerParameterf(sampler, GL_TEXTURE_MAX_ANISOTROPY_EXT)
-        }
-        if (isIdle) glTexParameterf(target.bound, GL_TEXTURE_MAX_ANISOTROPY_EXT, 1f)
-        return glGetTexParameterf(target.bound, GL_TEXTURE_MAX_ANISOTROPY_EXT)
-    }
-
     /** A parameter that a sampler object takes over. */
     private fun filtering(name: Int): Int {
         val sampler = glGetInteger(GL_SAMPLER_BINDING)
@@ -177,9 +162,10 @@ internal class Textures(private val tape: Tape) {
         height: Int,
     ) = Int.SIZE_BITS - 1 - maxOf(width, height).countLeadingZeroBits()
 
-    private fun hasExtension(name: String) = (0 until glGetInteger(GL_NUM_EXTENSIONS)).any { glGetStringi(GL_EXTENSIONS, it) == name }
-
     private companion object {
+        /** See [Anisotropy]. */
+        const val NO_ANISOTROPY = 1f
+
         /** The formats with a stencil hold depths like those without. */
         val DEPTHS = mapOf(
             GL_DEPTH24_STENCIL8 to GL_DEPTH_COMPONENT24,

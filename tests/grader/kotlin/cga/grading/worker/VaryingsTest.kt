@@ -48,4 +48,19 @@ class VaryingsTest {
     fun `what the vertex shader says in a way of its own is not missed`() {
         assertEquals(emptySet<String>(), Varyings("#define TO_PIXEL out\nTO_PIXEL vec3 n;", "in vec3 n;\nvoid main() { n; }").missing)
     }
+
+    @Test
+    fun `what nobody writes is 0, and the rest of its declaration stays`() {
+        val fragment = "layout(location = 1) flat in vec3 toLight, toSun; in mat3 m;\nin S s;\nvoid main() { toLight; toSun; m; s; }"
+        assertEquals(
+            "layout ( location = 1 ) flat in vec3 toLight; vec3 toSun = vec3(0); mat3 m = mat3(0);\nS s;\n" + fragment.lines().last(),
+            varyings(fragment).zeroed().lines().joinToString("\n") { it.trim().replace(Regex(" +"), " ") },
+        )
+    }
+
+    @Test
+    fun `the fragment shader says how a vector is interpolated`() {
+        val varyings = Varyings("smooth out vec3 n; out vec2 tc;\nout vec3 v;", "in vec3 n; flat in vec2 tc; in vec3 v;")
+        assertEquals("out vec3 n; flat out vec2 tc; out vec3 v;", varyings.interpolated().replace(Regex("\\s+"), " "))
+    }
 }

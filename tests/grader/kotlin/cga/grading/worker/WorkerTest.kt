@@ -17,6 +17,7 @@ import org.junit.jupiter.api.Test
 import org.junit.jupiter.api.extension.ExtendWith
 import org.lwjgl.opengl.GL33C.GL_NEAREST
 import kotlin.io.path.exists
+import kotlin.math.abs
 
 /** Small programs run in a worker of their own, and what their captures tell. */
 @ExtendWith(Offscreen::class)
@@ -243,6 +244,47 @@ class WorkerTest {
         assertEquals(emptyList<String>(), run.events(EventKind.SHADER_FAILED))
         assertFalse(run.capture.programs.any { it.substituted })
         assertReplays(run)
+    }
+
+    @Test
+    fun `every liberty of a driver's at once is told, and drawn as it was meant`() {
+        val run = WorkerProcess.ofStudent("Sloppy")
+        assertEquals("linked 1", run.out.trim(), "$run")
+        assertEquals(1, run.events(EventKind.SHADER_DIALECT).size)
+        assertEquals(emptyList<String>(), run.events(EventKind.SHADER_FAILED) + run.events(EventKind.LINK_FAILED))
+        assertReplays(run)
+        // The rounding of a number times 47 and divided by it.
+        val (meant, drawn) = listOf(WorkerProcess.ofStudent("Lenient"), run).map { it.capture.frames[0].picture ?: error("no picture") }
+        assertTrue(meant.indices.all { abs((meant[it].toInt() and 0xFF) - (drawn[it].toInt() and 0xFF)) <= 1 })
+    }
+
+    @Test
+    fun `what is read and never written is told and 0, and a vector is interpolated as it is received`() {
+        val run = WorkerProcess.ofStudent("Unwritten")
+        assertEquals("linked [1, 1] true", run.out.trim(), "$run")
+        val told = run.events(EventKind.SHADER_DIALECT).single()
+        assertTrue(told.startsWith("shader program") && "toSun is read and never written" in told, told)
+        assertEquals(emptyList<String>(), run.events(EventKind.LINK_FAILED))
+        assertFalse(run.capture.programs.any { it.substituted })
+        assertReplays(run)
+        assertArrayEquals(WorkerProcess.ofStudent("Lenient").capture.frames[0].picture, run.capture.frames[0].picture)
+    }
+
+    @Test
+    fun `anisotropic filtering is noted and not drawn`() {
+        val run = WorkerProcess.ofStudent("Sharpener")
+        assertEquals("in force 1.0 1.0 error ${0x501}", run.out.trim(), "$run")
+        assertEquals(listOf(16, 8, 4, 2, 15, 14, 13, 12).map { "$it.0" }, run.events(EventKind.ANISOTROPY))
+        assertEquals(1f, run.capture.textures.single().maxAnisotropy)
+        assertReplays(run)
+    }
+
+    @Test
+    fun `the cursor goes on from where a program has put it`() {
+        val lines = WorkerProcess.ofStudent("Recentrer").out.trim().lines()
+        val ways = listOf("0.0 0.0", "100.0 0.0", "0.0 100.0", "100.0 0.0", "0.0 100.0", "400.0 0.0")
+        assertEquals(ways, lines.map { it.substringAfter("moved ").substringBefore(",") })
+        assertEquals("mouse 132.0 24.0", lines[1].substringAfter(", "))
     }
 
     @Test

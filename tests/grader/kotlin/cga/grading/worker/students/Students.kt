@@ -1,16 +1,20 @@
 package cga.grading.worker.students
 
 import cga.exercise.game.Game
+import cga.grading.capture.Moment
 import org.lwjgl.BufferUtils
 import org.lwjgl.glfw.GLFW.GLFW_KEY_LEFT
 import org.lwjgl.glfw.GLFW.GLFW_KEY_RIGHT
 import org.lwjgl.glfw.GLFW.GLFW_KEY_UP
 import org.lwjgl.glfw.GLFW.GLFW_KEY_W
 import org.lwjgl.glfw.GLFW.glfwGetCurrentContext
+import org.lwjgl.glfw.GLFW.glfwGetCursorPos
 import org.lwjgl.glfw.GLFW.glfwGetKey
 import org.lwjgl.glfw.GLFW.glfwGetTime
+import org.lwjgl.glfw.GLFW.glfwSetCursorPos
 import org.lwjgl.glfw.GLFW.glfwSetCursorPosCallback
 import org.lwjgl.glfw.GLFW.glfwSetKeyCallback
+import org.lwjgl.opengl.EXTTextureFilterAnisotropic.GL_TEXTURE_MAX_ANISOTROPY_EXT
 import org.lwjgl.opengl.GL33C.*
 import javax.sound.sampled.AudioFormat
 import javax.sound.sampled.AudioSystem
@@ -466,6 +470,117 @@ internal class Lenient : Painter() {
     companion object {
         @JvmStatic
         fun main(args: Array<String>): Unit = Lenient().run()
+    }
+}
+
+/** Its fragment shader is written as only some drivers take it, in every way that is known. */
+internal class Sloppy : Painter() {
+    private val sloppy =
+        FRAGMENT
+            .replace("#version 330 core", "#version 330 compatibility")
+            .replace("void main() {", "#ifdef NOBODY\n#else here\n#extension GL_ARB_gpu_shader5 : require\n#endif NOBODY\nvoid main() {")
+            .replace("(0.5 + 0.5 * place.y)", "(half1 + 0.5 * (float)(int) filter * -(float) place.y / 0x2f)")
+            .replace("result =", "float half1 = max(0f, 1f) / 2.f, filter = -(float) 0x2f; // 1f\n    result =")
+
+    override fun start() {
+        super.start()
+        program = link(VERTEX, sloppy)
+        say("linked ${glGetProgrami(program, GL_LINK_STATUS)}")
+    }
+
+    companion object {
+        @JvmStatic
+        fun main(args: Array<String>): Unit = Sloppy().run()
+    }
+}
+
+/** Its fragment shader reads vectors that its vertex shader does not know, and has one interpolated otherwise. */
+internal class Unwritten : Painter() {
+    override fun start() {
+        super.start()
+        val fragment = FRAGMENT.replace("in vec2 place;", "in vec2 place; in vec3 toLight, toSun;\nflat in int kind;")
+        val reads = fragment.replace("0.5 *", "0.5 * (1.0 + toLight.x + toSun.y + float(kind)) *")
+        val vertex = compile(GL_VERTEX_SHADER, VERTEX.replace("out vec2", "smooth out vec2"))
+        // Linked twice: the shaders are still what they were.
+        val programs = List(2) {
+            glCreateProgram().also { program ->
+                glAttachShader(program, vertex)
+                glAttachShader(program, compile(GL_FRAGMENT_SHADER, reads))
+                glLinkProgram(program)
+            }
+        }
+        program = programs.last()
+        say("linked ${programs.map { glGetProgrami(it, GL_LINK_STATUS) }} ${"smooth" in glGetShaderSource(vertex)}")
+    }
+
+    companion object {
+        @JvmStatic
+        fun main(args: Array<String>): Unit = Unwritten().run()
+    }
+}
+
+/** Asks for anisotropic filtering by every way there is. */
+internal class Sharpener : Painter() {
+    private val textured = FRAGMENT
+        .replace(
+            "uniform vec3",
+            "uniform sampler2D map;\nuniform vec3",
+        ).replace("vec4(color", "texture(map, place) * vec4(color")
+
+    override fun start() {
+        super.start()
+        program = link(VERTEX, textured)
+        glBindTexture(GL_TEXTURE_2D, glGenTextures())
+        glTexImage2D(GL_TEXTURE_2D, 0, GL_RGBA, 8, 8, 0, GL_RGBA, GL_UNSIGNED_BYTE, IntArray(64) { -0x1000000 or it * 0x30401 })
+        glGenerateMipmap(GL_TEXTURE_2D)
+        glTexParameterf(GL_TEXTURE_2D, GL_TEXTURE_MAX_ANISOTROPY_EXT, 16f)
+        glTexParameteri(GL_TEXTURE_2D, GL_TEXTURE_MAX_ANISOTROPY_EXT, 8)
+        glTexParameterfv(GL_TEXTURE_2D, GL_TEXTURE_MAX_ANISOTROPY_EXT, floatArrayOf(4f, 0f, 0f, 0f))
+        glTexParameteriv(GL_TEXTURE_2D, GL_TEXTURE_MAX_ANISOTROPY_EXT, intArrayOf(2, 0, 0, 0))
+        val sampler = glGenSamplers()
+        glSamplerParameterf(sampler, GL_TEXTURE_MAX_ANISOTROPY_EXT, 15f)
+        glSamplerParameteri(sampler, GL_TEXTURE_MAX_ANISOTROPY_EXT, 14)
+        glSamplerParameterfv(sampler, GL_TEXTURE_MAX_ANISOTROPY_EXT, floatArrayOf(13f, 0f, 0f, 0f))
+        glSamplerParameteriv(sampler, GL_TEXTURE_MAX_ANISOTROPY_EXT, intArrayOf(12, 0, 0, 0))
+        glTexParameterf(GL_TEXTURE_2D, GL_TEXTURE_MAX_ANISOTROPY_EXT, 0f)
+        val texture = glGetTexParameterf(GL_TEXTURE_2D, GL_TEXTURE_MAX_ANISOTROPY_EXT)
+        say("in force $texture ${glGetSamplerParameterf(sampler, GL_TEXTURE_MAX_ANISOTROPY_EXT)} error ${glGetError()}")
+    }
+
+    companion object {
+        @JvmStatic
+        fun main(args: Array<String>): Unit = Sharpener().run()
+    }
+}
+
+/** Puts the cursor back into the middle of its window after each move, hides it amid the script, and tells where it is. */
+internal class Recentrer : Painter() {
+    private val middle = 32.0 to 24.0
+
+    override fun start() {
+        super.start()
+        recentre()
+    }
+
+    override fun onMouseMove(
+        xpos: Double,
+        ypos: Double,
+    ) {
+        say("moved ${xpos - middle.first} ${ypos - middle.second}, mouse ${mousePos.xpos} ${mousePos.ypos}")
+        if (frame > Moment.ALT_RIGHT.ordinal) setCursorVisible(false) else recentre()
+    }
+
+    private fun recentre() {
+        val window = glfwGetCurrentContext()
+        glfwSetCursorPos(window, middle.first, middle.second)
+        val (x, y) = DoubleArray(1) to DoubleArray(1)
+        glfwGetCursorPos(window, x, y)
+        if (x[0] to y[0] != middle) say("at ${x[0]} ${y[0]}")
+    }
+
+    companion object {
+        @JvmStatic
+        fun main(args: Array<String>): Unit = Recentrer().run()
     }
 }
 

@@ -75,11 +75,15 @@ build_part() {
         # In Maven itself at first, which takes less of the processor; a daemon, which stays for ten minutes, makes the next edits quick.
         daemon=true
         [ "$why" = 'sources changed' ] || daemon=false
+        # The libraries are there already unless the build files changed; `package` copies them.
+        phase=prepare-package
+        [ -e "$build/$part.classpath" ] || phase=package
         # Cleaning would take the other parts' jars along.
         set -- mvn -B -DwithoutTests -Dmaven.test.skip=true -Dmaven.clean.skip=true "-Dkotlin.compiler.daemon=$daemon" \
-            -Dkotlin.compiler.daemon.shutdownDelayMs=600000 -pl "src/$part" -am package
+            -Dkotlin.compiler.daemon.shutdownDelayMs=600000 -pl "src/$part" -am $phase
     fi
-    { (cd "$home" && "$@" 2>&1 </dev/null) || echo 'the build failed'; } | tee "$log" | show_progress
+    # Maven's last line need not have an end.
+    { (cd "$home" && "$@" 2>&1 </dev/null) || printf '\n%s\n' 'the build failed'; } | tee "$log" | show_progress
     ! grep -q -x 'the build failed' "$log" || build_failed
     list_classpath
     echo "$sources" >"$stamp"

@@ -28,7 +28,7 @@ run_tests() {
             ${pattern:+"-Dtest=$(echo "$pattern" | sed 's/\([A-Z][A-Za-z0-9_]*\)\.\([a-z]\)/\1#\2/')"}
     fi
     rm -rf target/*/"$reports" build/*/"$reports"
-    { "$@" 2>&1 </dev/null || echo 'the build failed'; } | tee "$log" | show_progress
+    { "$@" 2>&1 </dev/null || printf '\n%s\n' 'the build failed'; } | tee "$log" | show_progress
     # shellcheck source=src/launcher/tests-summary.sh
     . "$home/src/launcher/tests-summary.sh"
     summarize_tests target/*/"$reports" build/*/"$reports"

@@ -10,6 +10,7 @@ mkdir -p build/cga/lib
 echo '[ERROR] Main.kt: (1, 5) Unresolved reference: mian'
 echo '[ERROR] Main.kt: (1, 5) Unresolved reference: mian'
 echo '[ERROR] [Help 1] a page about nothing'
+printf 'no end of a line'
 exit 1
 END
 echo 'fun mian' >"$scene/Main.kt"

@@ -42,6 +42,21 @@ cga test --tests
 check 'a pattern that is missing ends with 2' ended 2
 check 'without a test' not called mvn
 
+sed -i 's/<failure.*failure>//; s/<failure[^>]*>//' "$sandbox/report"
+maven=$(cat "$sandbox/bin/mvn")
+stub mvn <<END
+mkdir -p target/scene/surefire-reports
+cp "$sandbox/report" target/scene/surefire-reports/TEST-cga.ATest.xml
+echo '[ERROR] Main.kt: (1, 5) Unresolved reference: mian'
+printf 'no end of a line'
+exit 1
+END
+cga test
+check 'a build that fails behind tests that passed ends with 2' ended 2
+check 'and says why' said 'Unresolved reference: mian'
+echo "$maven" >"$sandbox/bin/mvn"
+sed -i 's|classname="cga.ATest" time="0"></testcase>|classname="cga.ATest" time="0"><failure message="1 is not 2"/></testcase>|' "$sandbox/report"
+
 cga corpus --part 2/8 --accept
 check 'the guard is a test' called 'mvn .* -Dtest=\*CorpusGuardTest$'
 check 'which is told what to judge' grep -q -x CGA_CORPUS=2/8 "$sandbox/environment"

@@ -21,7 +21,7 @@ class LibertiesTest {
             dynamicTest(name) {
                 val submission = Corpus.byName(name)
                 val answered = Answered.of(submission, captures.of(submission))
-                assertEquals(points, answered.points, answered.lines.joinToString("\n"))
+                assertEquals(points, answered.points, answered.details.joinToString("\n"))
                 assertEquals(submission.expectation.mistakes.flatten(), answered.named)
             }
         }

@@ -4,8 +4,8 @@ import cga.framework.Home
 import cga.grading.course.GradeOne
 import cga.grading.course.NoSandboxError
 import cga.grading.pipeline.Pipeline
+import cga.grading.prepared.Edition
 import cga.grading.sandbox.Sandbox
-import cga.grading.submission.Edition
 
 /** What grades one submission, in a sandbox unless [settings] allow none. Throws [NoSandboxError] where there is no sandbox. */
 internal fun gradeOne(settings: PipelineSettings): GradeOne {

@@ -1,6 +1,8 @@
 package cga.grading.submission
 
 import cga.framework.InputError
+import cga.grading.prepared.Edition
+import cga.grading.prepared.Kind
 import java.nio.file.Files
 import java.nio.file.Path
 import kotlin.io.path.isDirectory
@@ -8,9 +10,9 @@ import kotlin.io.path.isRegularFile
 import kotlin.io.path.name
 
 /** Recognises submissions. Reads only; runs nothing of theirs. */
-public object SubmissionReader {
+internal object SubmissionReader {
     /** At the root of a starter, with its version in the first line. */
-    public const val STARTER_MARKER: String = ".cga-starter"
+    const val STARTER_MARKER: String = ".cga-starter"
 
     private val EXTENSION = Regex("""(?i)\.(?:zip|tar|tgz|tar\.gz|7z|rar)$""")
 
@@ -21,7 +23,7 @@ public object SubmissionReader {
      *
      * Throws [NotASubmission] when it is none, and other [InputError]s when it cannot be read.
      */
-    public fun read(given: Path, unpackTo: Path, edition: Edition? = null): Submission {
+    fun read(given: Path, unpackTo: Path, edition: Edition? = null): Submission {
         val notes = mutableListOf<String>()
         val root = when {
             given.isDirectory() -> given.toRealPath()
@@ -52,11 +54,11 @@ public object SubmissionReader {
         val sources = finder.sources()
         notes += finder.notes
         val project = sources.first { it.packageName.startsWith("cga.") }.project
-        val detected = edition?.let { DetectedEdition(it, listOf("asked for")) } ?: Edition.detect(sources)
+        val detected = edition?.let { DetectedEdition(it, listOf("asked for")) } ?: DetectedEdition.of(sources)
         val buildFiles = buildFiles(tree, project)
         return Submission(
             name = name,
-            root = tree.root,
+            tree = tree,
             kind = if (marker == null) Kind.COURSE else Kind.STARTER,
             sources = sources,
             workingDirectory = AssetsFinder.find(tree, project) ?: project.also { notes += "There is no folder assets." },
@@ -64,7 +66,7 @@ public object SubmissionReader {
             versions = Versions.find(buildFiles),
             edition = detected,
             notes = notes,
-            libraries = NamedLibrary.find(Versions.withoutComments(buildFiles).values),
+            libraries = LibraryFinder.find(Versions.withoutComments(buildFiles).values),
         )
     }
 

@@ -4,23 +4,23 @@ import java.nio.file.Path
 import kotlin.io.path.name
 
 /** Versions that a build file names, null where it names none. */
-public class Versions(
-    public val kotlin: String?,
-    public val lwjgl: String?,
-    public val joml: String?,
+internal class Versions(
+    val kotlin: String?,
+    val lwjgl: String?,
+    val joml: String?,
 ) {
     /** Reading them. */
-    internal companion object {
-        private const val NUMBER = """(\d+(?:\.\d+)+)"""
+    companion object {
+        private const val NUMBER = """(\d++(?:\.\d++){1,5}+)"""
 
         private val SCRIPTS = setOf("build.gradle", "build.gradle.kts", "settings.gradle.kts")
         val FILES = SCRIPTS + setOf("gradle.properties", "libs.versions.toml", "pom.xml", "kotlinc.xml")
 
         private val KOTLIN = patterns(
-            """kotlin\s*\(\s*["']jvm["']\s*\)\s*version\s*\(?\s*["']$NUMBER""",
-            """org\.jetbrains\.kotlin\.(?:jvm|multiplatform)["']\s*\)?\s*version\s*\(?\s*["']$NUMBER""",
-            """\bkotlin[._-]?[vV]ersion["']?\s*[=,>]\s*["']?$NUMBER""",
-            """^\s*kotlin(?:-jvm)?\s*=\s*["']$NUMBER""",
+            """kotlin\s*+\(\s*+["']jvm["']\s*+\)\s*+version\s*+\(?+\s*+["']$NUMBER""",
+            """org\.jetbrains\.kotlin\.(?:jvm|multiplatform)["']\s*+\)?\s*+version\s*+\(?+\s*+["']$NUMBER""",
+            """\bkotlin[._-]?[vV]ersion["']?\s*+[=,>]\s*+["']?$NUMBER""",
+            """^[ \t]*+kotlin(?:-jvm)?\s*+=\s*+["']$NUMBER""",
             """kotlin-gradle-plugin:$NUMBER""",
             """kotlin-stdlib(?:-jdk\d)?:$NUMBER""",
             """name="version"\s+value="$NUMBER""",
@@ -44,14 +44,14 @@ public class Versions(
             }
 
         private fun library(name: String, artifact: String) = patterns(
-            """\b$name[._-]?[vV]ersion["']?\s*[=,>]\s*["']?$NUMBER""",
-            """^\s*$name\s*=\s*["']$NUMBER""",
+            """\b$name[._-]?[vV]ersion["']?\s*+[=,>]\s*+["']?$NUMBER""",
+            """^[ \t]*+$name\s*+=\s*+["']$NUMBER""",
             """$artifact:$NUMBER""",
-            """<artifactId>$name</artifactId>\s*<version>$NUMBER""",
+            """<artifactId>$name</artifactId>\s*+<version>$NUMBER""",
         )
 
         private fun patterns(vararg texts: String) = texts.map { Regex(it, RegexOption.MULTILINE) }
 
-        private val COMMENT = Regex("""^\s*//.*$""", RegexOption.MULTILINE)
+        private val COMMENT = Regex("""^[ \t]*+//.*+$""", RegexOption.MULTILINE)
     }
 }

@@ -128,6 +128,13 @@ class ArchiveTest {
     }
 
     @Test
+    fun `what is skipped in a tar counts like all else`() {
+        val bytes = tar { it.entry("../skipped", '0', ByteArray(40 shl 20)) }
+        val zipped = ByteArrayOutputStream().also { out -> GZIPOutputStream(out).use { it.write(bytes) } }.toByteArray()
+        assertTrue("times its size" in refusal(zipped))
+    }
+
+    @Test
     fun `broken and foreign archives are one message`() {
         val whole = zip(listOf("a" to ByteArray(1000) { (it * it).toByte() }))
         assertTrue("not a sound archive" in refusal(whole.copyOf(whole.size / 2)))

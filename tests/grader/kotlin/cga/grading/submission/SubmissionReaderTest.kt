@@ -1,6 +1,9 @@
 package cga.grading.submission
 
 import cga.framework.InputError
+import cga.grading.prepared.Edition
+import cga.grading.prepared.Kind
+import cga.grading.prepared.NamedLibrary
 import org.junit.jupiter.api.Assertions.assertEquals
 import org.junit.jupiter.api.Assertions.assertThrows
 import org.junit.jupiter.api.Assertions.assertTrue
@@ -123,7 +126,7 @@ class SubmissionReaderTest {
                 "<dependency><groupId>org.lwjgl</groupId><artifactId>lwjgl-openal</artifactId></dependency>",
         )
         for ((name, text) in texts) {
-            val found = NamedLibrary.find(Versions.withoutComments(mapOf(Path.of(name) to text)).values)
+            val found = LibraryFinder.find(Versions.withoutComments(mapOf(Path.of(name) to text)).values)
             assertEquals(setOf(gson, openal), found.toSet(), name)
         }
     }

@@ -122,6 +122,6 @@ public class SubmissionCompiler(
         const val JAR = "classes.jar"
 
         /** A compiler that has nothing but errors to tell takes a fifth of it. */
-        val SHORT = Limits(wallSeconds = 20.0, cpuSeconds = 30.0)
+        val SHORT = Limits(wallSeconds = 60.0, cpuSeconds = 30.0)
     }
 }

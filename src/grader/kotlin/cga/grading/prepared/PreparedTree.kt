@@ -35,8 +35,8 @@ internal class PreparedTree private constructor(
         private const val MANIFEST = "manifest"
 
         private const val MARK = 0x43474152
-        private const val MOST_BYTES = 4L shl 20
-        private const val MOST_SOURCES = 2000
+        private const val MOST_BYTES = 16L shl 20
+        const val MOST_SOURCES = 2000
         private const val MOST_LIBRARIES = 100
         const val MOST_NOTES = 200
 
@@ -87,7 +87,7 @@ internal class PreparedTree private constructor(
         fun read(folder: Path): PreparedTree {
             val bytes = SafeFiles.read(folder, MANIFEST, MOST_BYTES)
             val manifest = try {
-                manifest(LimitedInput(bytes.inputStream(), MOST_BYTES))
+                LimitedInput(bytes.inputStream(), MOST_BYTES).let { input -> manifest(input).also { input.expectEnd() } }
             } catch (e: BadCapture) {
                 throw InputError("the manifest of a submission is not as it has to be: ${e.message}.", e)
             }
@@ -141,7 +141,7 @@ internal class PreparedTree private constructor(
 
         /** Whether [text] is the name of a class: it becomes an argument of a JVM. */
         fun isClass(text: String): Boolean =
-            text.isNotEmpty() &&
+            text.length in 1..LONGEST &&
                 text.split('.').all { part ->
                     part.isNotEmpty() && part[0].isJavaIdentifierStart() &&
                         part.all { it.isJavaIdentifierPart() && !it.isISOControl() }

@@ -52,9 +52,8 @@ internal object NamedFiles {
             Files.lines(file, Charsets.ISO_8859_1).use { lines ->
                 lines
                     .limit(MOST_LINES)
-                    .map(String::trim)
-                    .filter { it.startsWith(keyword) && it.length < LONGEST }
-                    .map { it.dropWhile { c -> !c.isWhitespace() }.trim() }
+                    .filter { it.length < LONGEST && it.trimStart().startsWith(keyword) }
+                    .map { it.trim().dropWhile { c -> !c.isWhitespace() }.trim() }
                     .distinct()
                     .limit(MOST_NAMES.toLong())
                     .toList()

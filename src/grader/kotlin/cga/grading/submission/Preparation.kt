@@ -18,6 +18,11 @@ internal object Preparation {
     /** Reads [given] and fills [folder], which is empty. Throws [NotASubmission], [Unreadable] or [NoRoom]. */
     fun prepare(given: Path, folder: Path, edition: Edition?): Prepared {
         val submission = SubmissionReader.read(given, folder.resolve("unpacked"), edition)
+        if (submission.sources.size >=
+            PreparedTree.MOST_SOURCES
+        ) {
+            throw NotASubmission("it has more than ${PreparedTree.MOST_SOURCES} sources.")
+        }
         val notes = mutableListOf<String>()
         val sources = sources(submission, folder, notes)
         val start = RunFolder(submission, folder.resolve(PreparedTree.START))
@@ -25,7 +30,7 @@ internal object Preparation {
             submission.kind,
             submission.edition.edition,
             submission.mainClass?.takeIf(PreparedTree::isClass),
-            submission.versions.kotlin,
+            submission.versions.kotlin?.takeIf(PreparedTree::isCoordinate),
             submission.libraries,
             sources,
             submission.notes + notes + start.notes,

@@ -32,15 +32,15 @@ internal class RunFolder(
 
     init {
         Copy().run()
-        val queue = ArrayDeque(NamedFiles.inSources(submission.sources).map { it to emptyList<String>() })
+        val queue = ArrayDeque(NamedFiles.inSources(submission.sources).map { it to null as Path? })
         val seen = HashSet<String>()
         var missing = 0
         while (queue.isNotEmpty() && missing < MOST_MISSING) {
-            val (name, materials) = queue.removeFirst()
+            val (name, user) = queue.removeFirst()
             if (!seen.add(name)) continue
             val noted = notes.size
             val file = try {
-                provide(name, materials)
+                provide(name, user)
             } catch (e: IOException) {
                 // A file of the submission's lies where a folder would have to be.
                 Room.require(folder, e)
@@ -48,13 +48,12 @@ internal class RunFolder(
             }
             missing += notes.size - noted
             if (file == null) continue
-            val used = if (name.endsWith(".obj", ignoreCase = true)) NamedFiles.materials(file) else emptyList()
-            NamedFiles.inModel(file, name).forEach { queue.add(it to used) }
+            NamedFiles.inModel(file, name).forEach { queue.add(it to file) }
         }
     }
 
-    /** The file that [name] means, if need be one of ours; null where there is none. */
-    private fun provide(name: String, materials: List<String>): Path? {
+    /** The file that [name] means, if need be one of ours; null where there is none. The file [user] names it, or a source where that is null. */
+    private fun provide(name: String, user: Path?): Path? {
         val path = folder.resolve(name)
         if (path.exists()) return path.takeIf { it.isRegularFile() }
         val alike = alike(name.split('/'))
@@ -62,7 +61,7 @@ internal class RunFolder(
             clone(folder.resolve(alike), path)
             notes += "$name is meant to be $alike: upper and lower case differ."
         } else if (NamedFiles.isReplaceable(name) && !isElsewhere(name)) {
-            StandInAssets.of(name, materials).forEach(::put)
+            StandInAssets.of(name, user?.let(NamedFiles::materials).orEmpty()).forEach(::put)
             notes += "$name is missing: a file of ours stands in for it."
         }
         return path.takeIf { it.isRegularFile() }

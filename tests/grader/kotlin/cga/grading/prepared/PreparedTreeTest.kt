@@ -59,6 +59,14 @@ class PreparedTreeTest {
         assertEquals("a.B", PreparedTree.read(tree.folder).manifest.mainClass)
     }
 
+    @Test
+    fun `what is no version of a library is none`() {
+        val build = "kotlin_version = '1.${"9".repeat(2000)}'\nimplementation 'a:..:1'\nimplementation 'a:b:1${".1".repeat(2000)}'\n"
+        val manifest = MadeUp.prepare(folder.resolve("odd"), MadeUp.FILES + ("build.gradle" to build)).manifest
+        assertEquals(null, manifest.kotlin)
+        assertEquals(emptyList<NamedLibrary>(), manifest.libraries)
+    }
+
     private fun refused(file: String, main: String) {
         PreparedTree.write(prepared(file, main), tree.folder)
         assertThrows(InputError::class.java) { PreparedTree.read(tree.folder) }

@@ -30,7 +30,7 @@ internal object Preparation {
             submission.kind,
             submission.edition.edition,
             submission.mainClass?.takeIf(PreparedTree::isClass),
-            submission.versions.kotlin?.takeIf(PreparedTree::isCoordinate),
+            submission.kotlin?.takeIf(PreparedTree::isCoordinate),
             submission.libraries,
             sources,
             submission.notes + notes + start.notes,

@@ -9,23 +9,21 @@ import java.nio.file.Path
 /**
  * What a student handed in, as far as it can be told by looking at files. Nothing of it has been run.
  *
- * @param name to call it by: the file name of what was handed in, without its extension.
  * @param tree all of it, with the folder that it lies in, absolute.
  * @param sources what is to be compiled, in order of their names.
  * @param workingDirectory where it expects to be started: the folder that holds `assets/`.
  * @param mainClass the class to start, null where none was found.
- * @param versions the libraries' versions that its build files name.
+ * @param kotlin the version that its build files name, null where they name none.
  * @param notes what was noticed and may matter, in full sentences.
  * @param libraries that its build files name, whether it needs them or not.
  */
 internal class Submission(
-    val name: String,
     val tree: FileTree,
     val kind: Kind,
     val sources: List<SourceFile>,
     val workingDirectory: Path,
     val mainClass: String?,
-    val versions: Versions,
+    val kotlin: String?,
     val edition: DetectedEdition,
     val notes: List<String>,
     val libraries: List<NamedLibrary>,

@@ -14,8 +14,6 @@ internal object SubmissionReader {
     /** At the root of a starter, with its version in the first line. */
     const val STARTER_MARKER: String = ".cga-starter"
 
-    private val EXTENSION = Regex("""(?i)\.(?:zip|tar|tgz|tar\.gz|7z|rar)$""")
-
     /**
      * The submission in the folder or archive [given]; an archive is unpacked to [unpackTo], which must not exist yet.
      *
@@ -31,7 +29,7 @@ internal object SubmissionReader {
             else -> throw InputError("$given does not exist: name the folder or the archive of a submission.")
         }
         return try {
-            recognise(given.toAbsolutePath().normalize().name.replace(EXTENSION, ""), FileTree(root), edition, notes)
+            recognise(FileTree(root), edition, notes)
         } catch (e: NotASubmission) {
             throw NotASubmission("$given is not a submission: ${e.message}" + notes.joinToString("") { " $it" })
         }
@@ -48,7 +46,7 @@ internal object SubmissionReader {
         return unpacked.toRealPath()
     }
 
-    private fun recognise(name: String, tree: FileTree, edition: Edition?, notes: MutableList<String>): Submission {
+    private fun recognise(tree: FileTree, edition: Edition?, notes: MutableList<String>): Submission {
         val marker = tree.files.filter { it.name == STARTER_MARKER }.minByOrNull { it.nameCount }
         val finder = ProjectFinder(tree)
         val sources = finder.sources()
@@ -57,13 +55,12 @@ internal object SubmissionReader {
         val detected = edition?.let { DetectedEdition(it, listOf("asked for")) } ?: DetectedEdition.of(sources)
         val buildFiles = buildFiles(tree, project)
         return Submission(
-            name = name,
             tree = tree,
             kind = if (marker == null) Kind.COURSE else Kind.STARTER,
             sources = sources,
             workingDirectory = AssetsFinder.find(tree, project) ?: project.also { notes += "There is no folder assets." },
             mainClass = mainClass(sources, notes),
-            versions = Versions.find(buildFiles),
+            kotlin = Versions.kotlin(buildFiles),
             edition = detected,
             notes = notes,
             libraries = LibraryFinder.find(Versions.withoutComments(buildFiles).values),

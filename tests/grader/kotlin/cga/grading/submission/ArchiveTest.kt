@@ -39,7 +39,6 @@ class ArchiveTest {
         for ((i, bytes) in archives.withIndex()) {
             val file = folder.resolve("blatt4 ($i).zip").apply { writeBytes(bytes) }
             val submission = SubmissionReader.read(file, folder.resolve("unpacked$i"))
-            assertEquals("blatt4 ($i)", submission.name)
             assertEquals("cga.exercise.MainKt", submission.mainClass)
             assertEquals(folder.resolve("unpacked$i/mueller").toRealPath(), submission.workingDirectory)
             assertFalse(folder.resolve("unpacked$i/__MACOSX").exists())

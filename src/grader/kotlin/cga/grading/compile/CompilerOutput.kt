@@ -19,8 +19,12 @@ internal class CompilerOutput(
         val failure =
             errors.firstOrNull { it.source == null } ?: CompileError(null, 0, ending(outcome)).takeIf { errors.isEmpty() } ?: return errors
         val named = sources.values.filter { source -> lines.any { "/${source.file}" in it.take(LONGEST_LINE) } }
-        return named.map { failure.copy(source = it) }.ifEmpty { listOf(failure) }
+        return named.map { failure.copy(source = it, message = failure.message.calling(it)) }.ifEmpty { listOf(failure) }
     }
+
+    /** With the student's name for [source] where a path of ours stands. */
+    private fun String.calling(source: PreparedSource) =
+        split(' ').joinToString(" ") { word -> if ("/${source.file}" in word) source.name else word }
 
     /** `file:line:column: error: message`, without the column by javac. */
     private fun placed(line: String): CompileError? {

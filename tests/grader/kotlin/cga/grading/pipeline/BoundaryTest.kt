@@ -95,44 +95,36 @@ class BoundaryTest {
         fun given(name: String, edit: (Path) -> Unit = {}): Path =
             inputs.resolve(name).also { Corpus.materialize(Corpus.byName("plain"), it) }.also(edit)
 
-        fun with(name: String, file: String, text: String) = given(name) { it.resolve(file).createParentDirectories().writeText(text) }
+        fun Path.put(file: String, text: String) = resolve(file).createParentDirectories().writeText(text)
 
-        fun linked(name: String, file: String) = given(name) {
-            it.resolve(file).deleteExisting()
-            it.resolve(file).createSymbolicLinkPointingTo(decoy.resolve("made-through-a-link"))
+        fun Path.link(file: String) {
+            resolve(file).deleteExisting()
+            resolve(file).createSymbolicLinkPointingTo(decoy.resolve("made-through-a-link"))
         }
         val main = project.getValue("$EXERCISE/Main.kt")
+        val blank = "\n".repeat(200_000)
         return listOf(
             given("good"),
-            with(
-                "java path",
-                "$EXERCISE/Escape.java",
-                "/*\npackage ${"$decoy".replace('/', '.')}\n*/\npackage cga.exercise;\npublic class Escape { }\n",
-            ),
-            linked("linked texture", "assets/textures/ground_diff.png"),
-            linked("linked model", "assets/models/motorcycle/motorcycle.obj"),
-            with("long literal", "$EXERCISE/Long.kt", "package cga.exercise\nconst val LONG = \"${"a\\\\".repeat(10_000)}\"\n"),
-            with(
-                "long version",
-                "build.gradle",
-                "kotlin_version = '1${".1".repeat(20_000)}'\nimplementation 'a:b:1${".1".repeat(20_000)}'\n",
-            ),
-            given("blank lines") { root ->
-                val blank = "\n".repeat(200_000)
-                root.resolve("build.gradle").writeText("api$blank\n$blank// no version\n")
-                root.resolve("$EXERCISE/Blank.kt").writeText("${blank}package cga.exercise\n@JvmField${blank}val blank = 1\n")
+            given("sources") { root ->
+                val comment = "/*\npackage ${"$decoy".replace('/', '.')}\n*/\n"
+                root.put("$EXERCISE/Escape.java", "${comment}package cga.exercise;\npublic class Escape { }\n")
+                root.put("src/main/kotlin/helpers/Helper.kt", "fun helperOfMine() = 1\n")
+                root.put("$EXERCISE/Main.kt", main.replaceFirst("import ", "import helperOfMine\nimport ") + "val used = helperOfMine()\n")
+            },
+            given("files") { root ->
+                root.link("assets/textures/ground_diff.png")
+                root.link("assets/models/motorcycle/motorcycle.obj")
+                RandomAccessFile(root.resolve("assets/huge.bin").toFile(), "rw").use { it.setLength(30L shl 30) }
+            },
+            given("texts") { root ->
+                val long = "1${".1".repeat(20_000)}"
+                root.put("$EXERCISE/Long.kt", "package cga.exercise\nconst val LONG = \"${"a\\\\".repeat(10_000)}\"\n")
+                root.put("$EXERCISE/Blank.kt", "${blank}package cga.exercise\n@JvmField${blank}val blank = 1\n")
+                root.put("build.gradle", "kotlin_version = '$long'\nimplementation 'a:b:$long'\napi$blank\n$blank// no version\n")
                 root.resolve("src/main/kotlin/cga/framework/GameWindow.kt").apply { writeText(blank + readText()) }
             },
-            given("sparse") { root -> RandomAccessFile(root.resolve("assets/huge.bin").toFile(), "rw").use { it.setLength(30L shl 30) } },
             inputs.resolve("skipped.tar.gz").also(::tar),
-            given("no package") { root ->
-                root.resolve("src/main/kotlin/helpers").createDirectories().resolve("Helper.kt").writeText("fun helperOfMine() = 1\n")
-                root
-                    .resolve(
-                        "$EXERCISE/Main.kt",
-                    ).writeText(main.replaceFirst("import ", "import helperOfMine\nimport ") + "val used = helperOfMine()\n")
-            },
-            with("deep", "$EXERCISE/Deep.kt", "package cga.exercise\nval deep = ${"(".repeat(20_000)}1${")".repeat(20_000)}\n"),
+            given("deep") { it.put("$EXERCISE/Deep.kt", "package cga.exercise\nval deep = ${"(".repeat(20_000)}1${")".repeat(20_000)}\n") },
         )
     }
 
@@ -172,28 +164,23 @@ class BoundaryTest {
     }
 
     @Test
-    fun `a path in a comment is no package`() = assertEquals(100.0, points("java path")) { told("java path") }
+    fun `a path in a comment is no package, and sources without a package are part of the project`() =
+        assertEquals(100.0, points("sources")) { told("sources") }
 
     @Test
-    fun `a link that leads nowhere is a file that is missing`() {
-        for (name in listOf("linked texture", "linked model")) {
-            assertEquals(100.0, points(name)) { told(name) }
-            assertTrue("a file of ours stands in for it" in page(name)) { name }
+    fun `a link that leads nowhere is a file that is missing, and what is too large is left out`() {
+        assertEquals(100.0, points("files")) { told("files") }
+        for (name in listOf("textures/ground_diff.png", "models/motorcycle/motorcycle.obj")) {
+            assertTrue("assets/$name is missing: a file of ours stands in for it" in page("files")) { name }
         }
+        assertTrue("assets/huge.bin was left out" in page("files"))
     }
 
     private fun page(name: String) = graded.getValue(name).folder.resolve(GradedSubmission.PAGE).readText()
 
     @Test
-    fun `long literals, long versions and many blank lines are read like any other`() {
-        for (name in listOf("long literal", "long version", "blank lines")) assertEquals(100.0, points(name)) { "$name: ${told(name)}" }
-    }
-
-    @Test
-    fun `a file that is too large is left out`() {
-        assertEquals(100.0, points("sparse")) { told("sparse") }
-        assertTrue("assets/huge.bin was left out" in page("sparse"))
-    }
+    fun `long literals, long versions and many blank lines are read like any other`() =
+        assertEquals(100.0, points("texts")) { told("texts") }
 
     @Test
     fun `what an archive has skipped counts`() {
@@ -204,9 +191,6 @@ class BoundaryTest {
             },
         ) { told("skipped") }
     }
-
-    @Test
-    fun `sources without a package are part of the project`() = assertEquals(100.0, points("no package")) { told("no package") }
 
     @Test
     fun `a file that breaks the compiler costs what an ordinary error costs`() {

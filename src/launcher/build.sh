@@ -33,7 +33,7 @@ ensure_built() {
 }
 
 # Whether a command can start without a build tool.
-is_built() { [ "$1" != test ] && [ -e "$build/$(part_of "$1").stamp" ]; }
+is_built() { [ "$1" != test ] && [ "$1" != corpus ] && [ -e "$build/$(part_of "$1").stamp" ]; }
 
 is_current() {
     sources=$(fingerprint)
@@ -96,9 +96,12 @@ remove_outdated() {
     echo "$libraries" >"$build/libraries"
 }
 
-# What the build tool tells, one line a step.
+# What the build tool tells, one line a step, as it comes: mawk, which is Debian's awk, waits for 4 KiB unless it is interactive.
 show_progress() {
-    awk '
+    interactive=''
+    ! awk -W version 2>&1 </dev/null | grep -q mawk || interactive='-W interactive'
+    # shellcheck disable=SC2086 # two words or none
+    awk $interactive '
         function say(text) { print "cga:   " text > "/dev/stderr" }
         /^Downloading from/ && downloads++ % 100 == 0 { say(downloads == 1 ? "downloading libraries" : downloads " files downloaded") }
         /^\[INFO\] Building .*\[[0-9]+\/[0-9]+\]/ && $3 != "cga-lights" { step = $NF; gsub(/[][]/, "", step); split(step, of, "/")
@@ -106,6 +109,7 @@ show_progress() {
         /--- (kotlin-maven-plugin|kotlin):.*:compile / && place != "" { say("compiling " place) }
         /--- (maven-surefire-plugin|surefire):.*:test / && place != "" { testing = place }
         /T E S T S/ { say("testing " testing) }
+        /^corpus: / { say(substr($0, 9)) }
         /^> Task :[a-z]+:(compileKotlin|test)( |$)/ { split($3, of, ":"); say((of[3] == "test" ? "testing " : "compiling ") of[2]) }'
 }
 

@@ -101,4 +101,5 @@ find_root() {
     sudo -n true 2>/dev/null || { as_root='' && return 1; }
 }
 
-apt_knows() { apt-cache show "$1" >/dev/null 2>&1; }
+# A name that only other packages provide is known, too, and has nothing to show.
+apt_knows() { [ -n "$(apt-cache show "$1" 2>/dev/null)" ]; }

@@ -37,3 +37,26 @@ run_tests() {
     [ $passed != 0 ] || ! grep -q -x 'the build failed' "$log" || build_failed
     exit $passed
 }
+
+# The grader's guard, which is a test: what it judges is told by variables. Its report is written into build/corpus.
+judge_corpus() {
+    CGA_CORPUS='' CGA_CORPUS_ACCEPT=''
+    while [ $# -gt 0 ]; do
+        case $1 in
+            --all) CGA_CORPUS=all ;;
+            --part) [ $# -gt 1 ] || die 'corpus --part needs I/N'; CGA_CORPUS=$2; shift ;;
+            --accept) CGA_CORPUS_ACCEPT=true ;;
+            -*) die "corpus takes --all, --part I/N, --accept and names of submissions, not '$1'" ;;
+            *) CGA_CORPUS="$CGA_CORPUS${CGA_CORPUS:+ }$1" ;;
+        esac
+        shift
+    done
+    : "${CGA_CORPUS:=guard}"
+    export CGA_CORPUS CGA_CORPUS_ACCEPT
+    report=$home/build/corpus/report.md
+    rm -f "$report"
+    (run_tests --tests '*CorpusGuardTest') >&2
+    ended=$?
+    [ ! -e "$report" ] || cat "$report"
+    exit $ended
+}

@@ -5,6 +5,8 @@
 #
 #   --command LINE          a line of shell to run in a fresh clone of HEAD; may be given several times. Default: ./cga run, ./cga test
 #   --user NAME             only as root, or only as this ordinary user; default: as root, then as student, each on a system of its own
+#   --clone NAME            the name of the clone's folder, such as 'bare üb ung'; default: cga-lights
+#   --without-sandbox       on systems that do not allow one, as many containers
 #   --maven-repository DIR  a local repository of Maven's to copy in, so that nothing is downloaded again
 #   --cache DIR             keep Debian's packages here, from one run to the next
 #   --debootstrap OPTION    one more option for debootstrap, such as --no-check-gpg where there is no keyring for Ubuntu
@@ -16,15 +18,18 @@ set -euo pipefail
 
 home=$(cd "$(dirname "$0")/../.." && pwd)
 suites=() lines=() users=() more=() results=()
-repository='' cache='' folder=''
+repository='' cache='' folder='' clone=cga-lights sandbox=yes
 status=0
 while [ $# -gt 0 ]; do
     case $1 in
+        --without-sandbox) ;;
         --*) [ $# -gt 1 ] || { echo "$1 needs a value" >&2 && exit 2; } ;;
     esac
     case $1 in
         --command) lines+=("$2") && shift ;;
         --user) users+=("$2") && shift ;;
+        --clone) clone=$2 && shift ;;
+        --without-sandbox) sandbox='' ;;
         --maven-repository) repository=$(realpath "$2") && shift ;;
         --cache) mkdir -p "$2" && cache=$(realpath "$2") && shift ;;
         --debootstrap) more+=("$2") && shift ;;
@@ -58,8 +63,8 @@ make() {
     apt-config dump | grep -E '^Acquire::(http|https)::proxy' >"$work/$1/etc/apt/apt.conf.d/proxy" || true
 }
 
-# enter SYSTEM USER LINE: runs LINE there, in namespaces of its own, so that all processes and mounts end with it. The root is changed by
-# pivot_root, for who was only chrooted may not make the namespaces of a sandbox.
+# enter SYSTEM USER LINE: runs LINE there, in namespaces of its own, so that all processes and mounts end with it. Who was only chrooted may
+# not make the namespaces of a sandbox; pivot_root leaves that open.
 enter() {
     local directory=/root
     [ "$2" = root ] || directory=/home/$2
@@ -70,18 +75,15 @@ enter() {
         mount -t proc proc proc
         mount --rbind /dev dev
         [ -z "$4" ] || mount --bind "$4" var/cache/apt/archives
-        pivot_root . .
-        umount -l .
-        cd /
-        set -- "$2" "$3" "$5" env -i HOME="$3" PATH=/usr/local/sbin:/usr/local/bin:/usr/sbin:/usr/bin:/sbin:/bin TERM=dumb \
+        if [ "$7" = yes ]; then pivot_root . . && umount -l . && cd / && change_root=; else change_root="chroot ."; fi
+        set -- "$2" "$3" "$5" "$6" env -i HOME="$3" PATH=/usr/local/sbin:/usr/local/bin:/usr/sbin:/usr/bin:/sbin:/bin TERM=dumb \
             ${http_proxy:+"http_proxy=$http_proxy"} ${https_proxy:+"https_proxy=$https_proxy"}
-        user=$1 directory=$2 line=$3
-        shift 3
+        user=$1 directory=$2 line=$3 clone=$4
+        shift 4
         [ "$user" = root ] || set -- setpriv --reuid "$user" --regid "$user" --init-groups "$@"
-        [ ! -d "$directory/cga-lights" ] || directory=$directory/cga-lights
-        cd "$directory"
-        exec "$@" sh -c "$line"
-    ' sh "$1" "$2" "$directory" "$cache" "$3" </dev/null
+        [ ! -d ".$directory/$clone" ] || directory=$directory/$clone
+        exec $change_root "$@" sh -c "cd \"\$1\" && eval \"\$2\"" sh "$directory" "$line"
+    ' sh "$1" "$2" "$directory" "$cache" "$3" "$clone" "$sandbox" </dev/null
 }
 
 # try SUITE USER: all lines, on one copy of the system.
@@ -93,7 +95,7 @@ try() {
         chroot "$system" useradd --create-home "$2"
         target=$system/home/$2
     fi
-    git clone -q --depth 1 "file://$home" "$target/cga-lights"
+    git clone -q --depth 1 "file://$home" "$target/$clone"
     [ -z "$repository" ] || { mkdir "$target/.m2" && cp -r "$repository" "$target/.m2/repository"; }
     [ "$2" = root ] || chroot "$system" chown -R "$2:$2" "/home/$2"
     for line in "${lines[@]}"; do

@@ -37,6 +37,10 @@ check 'from fresh lists' [ "$(sed -n 's/^apt-get \([a-z]*\).*/\1/p' "$calls" | t
 echo libosmesa6 >"$sandbox/home/unknown-packages"
 cga render
 check 'a Debian that has dropped OSMesa gets EGL' installs 'libegl1 libgl1-mesa-dri$'
+mv "$sandbox/home/unknown-packages" "$sandbox/home/virtual-packages"
+cga render
+check 'and so does one where only its name is left' installs 'libegl1 libgl1-mesa-dri$'
+mv "$sandbox/home/virtual-packages" "$sandbox/home/unknown-packages"
 rm "$sandbox/home/unknown-packages"
 
 for command in 'render --context egl' 'render --context=window' 'render --context reference' 'render --context=reference' 'render --help' 'doctor'; do

@@ -94,7 +94,7 @@ stub sudo <<'END'
 END
 stub apt-get </dev/null
 stub apt-cache <<'END'
-! grep -q -x "$2" "$HOME/unknown-packages" 2>/dev/null
+grep -q -x "$2" "$HOME/virtual-packages" 2>/dev/null || { ! grep -q -x "$2" "$HOME/unknown-packages" 2>/dev/null && echo "Package: $2"; }
 END
 stub dpkg <<'END'
 grep -q -x "$2" "$HOME/installed-packages" && echo 'Status: install ok installed'

@@ -52,6 +52,7 @@ internal class DiffCommand : CliktCommand("diff") {
 
     /** A slip of the hand must not cost a picture. */
     private fun checkMap(map: Path) {
+        requireEnding("--map", map, ".png")
         AtomicFile.checkWritable(map)
         val input = listOf(expected, actual).find { Files.exists(map) && Files.exists(it) && Files.isSameFile(map, it) }
         requireUsage(input == null) { "--map $map: that is a picture to compare; name another file" }

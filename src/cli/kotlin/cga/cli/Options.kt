@@ -50,6 +50,18 @@ public fun requireUsage(
     if (!ok) throw UsageError(message())
 }
 
+/** Throws a usage error where the name of [file], the value of [option], ends as one of another kind than these [endings]; it may have none. */
+public fun requireEnding(
+    option: String,
+    file: Path?,
+    vararg endings: String,
+) {
+    val name = file?.fileName?.toString().orEmpty()
+    requireUsage('.' !in name.drop(1) || endings.any { name.endsWith(it, ignoreCase = true) }) {
+        "$option $file: it would hold a picture of another kind than its name says; end it in ${endings.joinToString(" or ")}"
+    }
+}
+
 /** The name of picture [frame] (from 0) of [frames]: `FILE-0001.png` and so on, the name itself where there is one only. */
 public fun numbered(
     file: Path,

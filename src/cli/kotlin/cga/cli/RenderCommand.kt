@@ -78,6 +78,8 @@ public class RenderCommand : CliktCommand("render") {
         requireUsage(mouse.isFinite()) { "--mouse $mouse: the way must be finite" }
         requireUsage(gamma.isFinite() && gamma >= MIN_GAMMA) { "--gamma $gamma: gamma must be finite and at least $MIN_GAMMA" }
         requireUsage(frames in 1..MAX_FRAMES) { "--frames $frames: from 1 to $MAX_FRAMES" }
+        requireEnding("--out", out, ".png", ApngFile.SUFFIX)
+        requireEnding("--float", float, ".exr")
         requireUsage(out?.let(::isAnimation) != true || (float == null && fps in 0.1..655.0)) {
             "--out $out: an animation has no --float beside it, and from 0.1 to 655 pictures a second"
         }

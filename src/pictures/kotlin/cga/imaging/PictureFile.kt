@@ -22,7 +22,7 @@ public object PictureFile {
      * colours that they mean. Throws [InputError] naming the file and what is wrong with it.
      */
     public fun read(file: Path): Picture {
-        checkPlain(file)
+        checkSize(file)
         val bytes = Home.read(file, "picture")
         return try {
             decode(bytes)
@@ -31,10 +31,8 @@ public object PictureFile {
         }
     }
 
-    /** Reading a pipe or a device might never end; what is missing or a folder is told by [Home.read]. */
-    private fun checkPlain(file: Path) {
-        if (!Files.exists(file) || Files.isDirectory(file)) return
-        if (!Files.isRegularFile(file)) throw InputError("picture file $file is not a plain file: copy its content to one.")
+    private fun checkSize(file: Path) {
+        if (!Files.isRegularFile(file)) return
         if (file.fileSize() >
             MAX_BYTES
         ) {

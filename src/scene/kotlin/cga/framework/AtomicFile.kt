@@ -31,6 +31,7 @@ public object AtomicFile {
     public fun checkWritable(target: Path) {
         val folder = target.toAbsolutePath().parent
         when {
+            "$target".isEmpty() -> throw InputError("the name of the file to write is empty: name one.")
             Files.isDirectory(target) -> throw InputError("cannot write $target: it is a folder. Name a file in it.")
             // Renaming would put a plain file in the place of a device or a pipe.
             Files.exists(target) && !Files.isRegularFile(target) ->

@@ -30,8 +30,13 @@ public object Home {
 
     /** As above, for a path that is already resolved. */
     public fun read(file: Path, kind: String): ByteArray {
-        if (!Files.exists(file)) throw InputError("$kind file $file does not exist: check the spelling, or put the file there.")
-        if (Files.isDirectory(file)) throw InputError("$kind file $file is a folder: name the file in it.")
+        when {
+            "$file".isEmpty() -> throw InputError("the name of the $kind file is empty: name a file.")
+            !Files.exists(file) -> throw InputError("$kind file $file does not exist: check the spelling, or put the file there.")
+            Files.isDirectory(file) -> throw InputError("$kind file $file is a folder: name the file in it.")
+            // Reading a pipe or a device might never end.
+            !Files.isRegularFile(file) -> throw InputError("$kind file $file is not a plain file: copy its content to one.")
+        }
         return try {
             Files.readAllBytes(file)
         } catch (e: IOException) {

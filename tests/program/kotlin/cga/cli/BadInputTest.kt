@@ -86,6 +86,20 @@ class BadInputTest {
     }
 
     @Test
+    fun `a pipe that nobody writes to`(
+        @TempDir place: Path,
+    ) {
+        val pipe = place.resolve("pipe")
+        assumeTrue(runCatching { ProcessBuilder("mkfifo", "$pipe").start().waitFor() }.getOrNull() == 0)
+        for (args in listOf(
+            listOf("replay", "$pipe"),
+            listOf("diff", "$pipe", "$pipe"),
+        )) {
+            assertRefused(args, "$pipe", "is not a plain file")
+        }
+    }
+
+    @Test
     fun `an output that cannot be written`() {
         for (option in listOf("--out", "--float")) {
             assertRefused(RENDER + listOf(option, "missing/picture"), "missing", "does not exist", "Create it")
@@ -190,6 +204,10 @@ class BadInputTest {
                 render("--context", "window", "no display", "xvfb-run"),
                 render("--specular", "matt", "matt", "blinn-phong"),
                 render("--out", "x".repeat(300), "File name too long"),
+                render("--out", "x.jpg", "x.jpg", ".png or .apng"),
+                render("--out", "", "name", "is empty"),
+                render("--float", "x.png", "x.png", ".exr"),
+                Arguments(listOf("diff", "", "x.png"), "name of the picture file is empty"),
             )
 
         @JvmStatic

@@ -16,6 +16,6 @@ internal class StarterCommand : CliktCommand("starter") {
 
     override fun run() {
         StarterExport.write(folder)
-        echo("$folder: open it in IntelliJ IDEA, or type: cd $folder && ./gradlew run", err = true)
+        echo("$folder: open it in IntelliJ IDEA, or type: cd $folder && ./gradlew run (or: mvn compile exec:exec)", err = true)
     }
 }

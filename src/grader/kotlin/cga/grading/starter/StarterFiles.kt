@@ -22,6 +22,7 @@ public object StarterFiles {
     private val SOURCES = listOf("$OURS/cga/framework", "$OURS/cga/exercise", "shaders")
     private const val OURS = "src/scene/kotlin"
     private const val THEIRS = "src/main/kotlin"
+    private const val CATALOGUE = "gradle/libs.versions.toml"
 
     // The window's inspector shows the factors of the formula, which are the exercise.
     private const val INSPECTOR = "shaders/inspect/"
@@ -30,7 +31,7 @@ public object StarterFiles {
 
     /** What is copied as it is from the top of the project: where a starter is made these must be there. */
     internal val COPIES: List<String> =
-        listOf("LICENSE", "gradlew", "gradlew.bat", "gradle/libs.versions.toml", "gradle/wrapper/gradle-wrapper.jar") +
+        listOf("LICENSE", "gradlew", "gradlew.bat", CATALOGUE, "gradle/wrapper/gradle-wrapper.jar") +
             "gradle/wrapper/gradle-wrapper.properties"
 
     /** Written for the starter alone; they lie beside this class. */
@@ -39,6 +40,7 @@ public object StarterFiles {
             "README.md" to "README.md",
             "build.gradle.kts" to "build.gradle.kts",
             "settings.gradle.kts" to "settings.gradle.kts",
+            "pom.xml" to "pom.xml",
             "$THEIRS/cga/exercise/Main.kt" to "Main.kt",
             ".gitignore" to "gitignore",
         )
@@ -54,8 +56,26 @@ public object StarterFiles {
     public fun all(): Map<String, ByteArray> {
         val sources = templates().mapValues { (_, template) -> template.starter.encodeToByteArray() }
         val copies = (COPIES + below("assets", MODEL_TYPES)).associateWith { Home.read(it, "project") }
-        return sources + copies + OWN.mapValues { own(it.value) } + (MARKER to "$VERSION_LINE\n".encodeToByteArray())
+        val written = mapOf(CATALOGUE to catalogue(), MARKER to "$VERSION_LINE\n").mapValues { it.value.encodeToByteArray() }
+        return sources + copies + OWN.mapValues { own(it.value) } + written
     }
+
+    /** Our catalogue with what the starter's build uses: the grader fetches what a submission that does not compile names. */
+    private fun catalogue(): String {
+        val script = own("build.gradle.kts").decodeToString()
+        val libraries = Home.read(CATALOGUE, "project").decodeToString().replace("\r\n", "\n").replace(LIBRARY) { entry ->
+            val alias = entry.groupValues[1].replace('-', '.')
+            if (Regex("""\blibs\.${Regex.escape(alias)}\b""") in script) entry.value else ""
+        }
+        return libraries.replace(VERSION) { entry ->
+            val name = entry.groupValues[1]
+            if ("version.ref = \"$name\"" in libraries || "libs.versions.$name." in script) entry.value else ""
+        }
+    }
+
+    // Each with the comment above it.
+    private val LIBRARY = Regex("""(?m)(?:^#.*\n)*^([\w-]+) = \{ module.*\n""")
+    private val VERSION = Regex("""(?m)^(\w+) = ".*\n""")
 
     private fun below(
         folder: String,
@@ -70,6 +90,19 @@ public object StarterFiles {
 
     private fun Path.name(home: Path) = toAbsolutePath().relativeTo(home.toAbsolutePath()).invariantSeparatorsPathString
 
-    private fun own(name: String): ByteArray =
-        StarterFiles::class.java.getResourceAsStream(name)?.use { it.readBytes() } ?: error("the program lacks its file $name")
+    private fun own(name: String): ByteArray {
+        val resource = StarterFiles::class.java.getResourceAsStream(name) ?: error("the program lacks its file $name")
+        val content = resource.use { it.readBytes() }
+        return if (name == "pom.xml") withVersions(content.decodeToString()).encodeToByteArray() else content
+    }
+
+    /** Maven cannot read the catalogue of versions: `@lwjgl@` in [pom] becomes what it says of `lwjgl`. */
+    private fun withVersions(pom: String): String {
+        val versions = Home.read(CATALOGUE, "project").decodeToString().substringAfter("[versions]").substringBefore("\n[")
+        return Regex("@(\\w+)@").replace(pom) { match ->
+            val name = match.groupValues[1]
+            val version = Regex("""(?m)^$name = "(.+)"""").find(versions) ?: throw InputError("$CATALOGUE: there is no version $name.")
+            version.groupValues[1]
+        }
+    }
 }

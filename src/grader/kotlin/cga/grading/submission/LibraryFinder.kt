@@ -16,7 +16,7 @@ internal object LibraryFinder {
         """$USE$WORD\s*+,\s*+$WORD(?:\s*+,\s*+["']?([^"'),\s]+))?""",
         USE + """group\s*+[:=]\s*+$WORD\s*+,\s*+name\s*+[:=]\s*+$WORD(?:\s*+,\s*+version\s*+[:=]\s*+["']([^"']+))?""",
         """\bmodule\s*+=\s*+["']([\w.-]+):([\w.-]+)["'](?:\s*+,\s*+version(?:\.ref)?\s*+=\s*+["']([^"']+))?""",
-        """<groupId>([^<]+)</groupId>\s*+<artifactId>([^<]+)</artifactId>(?:\s*+<version>([^<]+))?""",
+        """<dependency>\s*+<groupId>([^<]+)</groupId>\s*+<artifactId>([^<]+)</artifactId>(?:\s*+<version>([^<]+))?""",
     ).map { Regex(it) }
 
     /** A module of LWJGL, which stands in lists of such names. */
@@ -39,8 +39,9 @@ internal object LibraryFinder {
     private fun version(said: String, texts: Collection<String>): String? {
         val name = said.trim('$', '{', '}').ifEmpty { return null }
         if (name[0].isDigit()) return name
-        val last = Regex.escape(name.substringAfterLast('.'))
-        val value = Regex("""\b$last["']?\s*+(?:=|>|,|\bby extra\()\s*+["']?(\d[\w.+-]*)""")
-        return texts.firstNotNullOfOrNull { value.find(it)?.groupValues?.get(1) }
+        return listOf(name, name.substringAfterLast('.')).firstNotNullOfOrNull { variable ->
+            val value = Regex("""\b${Regex.escape(variable)}["']?\s*+(?:=|>|,|\bby extra\()\s*+["']?(\d[\w.+-]*)""")
+            texts.firstNotNullOfOrNull { value.find(it)?.groupValues?.get(1) }
+        }
     }
 }

@@ -3,6 +3,7 @@ package cga.cli.lab
 import cga.cli.contextOption
 import cga.cli.mapWithProgress
 import cga.cli.requireUsage
+import cga.exercise.components.shader.UniformNames
 import cga.framework.AtomicFile
 import cga.imaging.Comparison
 import cga.imaging.Severity
@@ -56,7 +57,11 @@ internal class GoldenCommand : CliktCommand("golden") {
         val isWanted = matcher(only ?: "*")
         val strays = run.strays().filter { isWanted(it.name) }
         val cases = GoldenCases.all.filter { isWanted(it.name) }
-        if (cases.isEmpty() && strays.isEmpty()) throw UsageError("--only $only: no case has such a name: use ${names()}")
+        if (cases.isEmpty() &&
+            strays.isEmpty()
+        ) {
+            throw UsageError("--only $only: no case has such a name: did you mean ${nearest(only.orEmpty())}?")
+        }
         val results = cases.mapWithProgress(terminal, "rendering", run::result) + strays
         terminal.println(overview(results))
         for (result in results) for (message in result.outcome.messages) echo("${result.name}: $message")
@@ -112,7 +117,7 @@ internal class GoldenAcceptCommand : CliktCommand("accept") {
     }
 
     private fun case(name: String): GoldenCase =
-        GoldenCases.all.find { it.name == name } ?: throw UsageError("$name is no case: use ${names()}")
+        GoldenCases.all.find { it.name == name } ?: throw UsageError("$name is no case: did you mean ${nearest(name)}?")
 
     private fun accept(
         run: GoldenRun,
@@ -143,4 +148,6 @@ private fun figures(comparison: Comparison?): Array<String> {
 
 private fun verdict(outcome: Outcome) = if (outcome.isSkipped) "skipped" else outcome.severity.name.lowercase()
 
-private fun names() = GoldenCases.all.joinToString { it.name }
+/** The three names of cases that are most like [name]. */
+private fun nearest(name: String) =
+    GoldenCases.all.map { it.name }.sortedBy { UniformNames.distance(it, name) }.take(3).joinToString(" or ")

@@ -3,6 +3,7 @@ package cga.cli.window
 import cga.cli.OpenGLCanvas
 import cga.cli.contextOption
 import cga.cli.numbered
+import cga.cli.requireEnding
 import cga.cli.requireUsage
 import cga.cli.sizeOption
 import cga.framework.AtomicFile
@@ -44,6 +45,7 @@ internal class ReplayCommand : CliktCommand("replay") {
     override fun run() {
         requireUsage(fps.isFinite() && fps in MIN_FPS..Replay.RATE.toDouble()) { "--fps $fps: from $MIN_FPS to ${Replay.RATE}" }
         requireUsage(samples >= 0) { "--samples $samples: must not be negative" }
+        requireEnding("--out", out, ".png", ApngFile.SUFFIX)
         AtomicFile.checkWritable(out)
         val recording = Recording.read(recording)
         val updates = if (pictures) recording.pictures else everyPicture(recording.updates)

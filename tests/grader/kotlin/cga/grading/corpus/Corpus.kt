@@ -37,20 +37,20 @@ internal object Corpus {
     val students: Map<String, Rewrite> = readAll("students")
 
     /** Submissions without a mistake, as they are listed: by their rewrites. */
-    val listed: List<Submission> by lazy { lists().map { (name, parts) -> correct(name, parts) } }
+    val listed: List<Submission> by lazy { lists().map { (name, parts) -> correct(name, parts, "rewrites") } }
 
     /** Every mistake that the grader was not developed with, by name. */
     private val otherMistakes: Map<String, Rewrite> = readAll("held-out")
     private val allMistakes: Map<String, Rewrite> = mistakes + otherMistakes
 
     /** Submissions without a mistake. */
-    val correct: List<Submission> by lazy { listed + students.values.map { correct(it.name, it.with + it.name) } }
+    val correct: List<Submission> by lazy { listed + students.values.map { correct(it.name, it.with + it.name, "students") } }
 
     /** Submissions with a mistake, or several. */
-    val mistaken: List<Submission> = mistakes.values.map { submission(it.name, it.with + it.name) }
+    val mistaken: List<Submission> = mistakes.values.map { submission(it.name, it.with + it.name, "mistakes") }
 
     /** Submissions with mistakes to judge the grader with, written without knowledge of it. */
-    val heldOut: List<Submission> = otherMistakes.values.map { submission(it.name, it.with + it.name) }
+    val heldOut: List<Submission> = otherMistakes.values.map { submission(it.name, it.with + it.name, it.file.substringBefore('-')) }
 
     /** All of them. */
     val all: List<Submission> by lazy { correct + mistaken + heldOut }
@@ -58,7 +58,8 @@ internal object Corpus {
     private fun correct(
         name: String,
         parts: List<String>,
-    ) = Submission(name, edition(parts), parts, Expectation.CORRECT)
+        set: String,
+    ) = Submission(name, edition(parts), parts, Expectation.CORRECT, set)
 
     fun byName(name: String): Submission = all.single { it.name == name }
 
@@ -66,9 +67,10 @@ internal object Corpus {
     fun submission(
         name: String,
         parts: List<String>,
+        set: String,
     ): Submission {
         val made = parts.mapNotNull(allMistakes::get).map { it.expectation }
-        return Submission(name, edition(parts), parts, Expectation(made.flatMap { it.mistakes }, made.flatMap { it.costs }.toSet()))
+        return Submission(name, edition(parts), parts, Expectation(made.flatMap { it.mistakes }, made.flatMap { it.costs }.toSet()), set)
     }
 
     /** The submission's files, except for models and textures. Throws [IllegalStateException] where an edit does not apply. */

@@ -3,28 +3,32 @@ package cga.grading.corpus
 import cga.grading.capture.WorkerFiles
 import cga.grading.capture.WorkerRun
 import cga.grading.submission.StandIn
-import java.nio.file.Files
 import java.nio.file.Path
 import java.util.concurrent.TimeUnit
 import kotlin.io.path.createDirectories
 import kotlin.io.path.createTempDirectory
+import kotlin.io.path.deleteExisting
 import kotlin.io.path.exists
+import kotlin.io.path.listDirectoryEntries
 import kotlin.io.path.name
+import kotlin.io.path.readBytes
 import kotlin.io.path.readText
 import kotlin.io.path.walk
 import kotlin.io.path.writeText
 
 /**
  * Captures of the corpus' submissions, run without a sandbox since they are our own: what the analysis is developed and judged with.
- * Submissions with the same Kotlin are compiled once, and a capture that is there already is kept.
+ * Submissions with the same Kotlin are compiled once. A capture that is there already is kept until the submission or the recorder changes.
  */
 internal class CorpusCaptures(private val folder: Path) {
-    private val worker = folder.createDirectories().resolve("worker.jar").also { if (!it.exists()) WorkerFiles.writeJar(it) }
+    private val worker = folder.createDirectories().resolve("worker.jar").also { WorkerFiles.writeJar(it) }
+    private val recorder = worker.readBytes().contentHashCode()
 
     /** The capture of [submission]. Throws [IllegalStateException] where it does not compile or does not start. */
     fun of(submission: Submission): Path {
-        val capture = folder.resolve("${submission.name}.capture")
+        val capture = folder.resolve("${submission.name}~%08x.capture".format(31 * recorder + Corpus.sources(submission).hashCode()))
         if (capture.exists()) return capture
+        folder.listDirectoryEntries("${submission.name}~*.capture").forEach { it.deleteExisting() }
         val home = createTempDirectory(folder, submission.name)
         try {
             Corpus.materialize(submission, home)
@@ -79,17 +83,5 @@ internal class CorpusCaptures(private val folder: Path) {
 
     private companion object {
         const val SECONDS = 120L
-    }
-}
-
-/** Makes captures in the folder of the first argument: of part i of n, as `i/n` says; of the names that follow, or of all. */
-fun main(args: Array<String>) {
-    val (part, parts) = args[1].split('/').map { it.toInt() }
-    val chosen = if (args.size == 2) Corpus.mistaken + Corpus.correct else args.drop(2).map(Corpus::byName)
-    val captures = CorpusCaptures(Path.of(args[0]))
-    for ((number, submission) in chosen.withIndex()) {
-        if (number % parts != part) continue
-        val said = runCatching { "${Files.size(captures.of(submission))} bytes" }.getOrElse { "$it".take(400) }
-        println("${submission.name}: $said")
     }
 }

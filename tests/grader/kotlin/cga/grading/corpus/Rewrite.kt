@@ -7,6 +7,7 @@ package cga.grading.corpus
  * @param group what it is another form of; two of one group do not go together. Empty for mistakes.
  * @param without rewrites and groups that it does not go together with.
  * @param with rewrites that come before it.
+ * @param file the name of its file, without `.txt`.
  */
 internal class Rewrite(
     val name: String,
@@ -16,6 +17,7 @@ internal class Rewrite(
     val with: List<String>,
     val edits: List<Edit>,
     val expectation: Expectation,
+    val file: String,
 ) {
     fun goesWith(other: Rewrite): Boolean =
         group != other.group && listOf(other.name, other.group).none { it in without } && listOf(name, group).none { it in other.without }

@@ -2,6 +2,7 @@ package cga.grading.corpus
 
 import cga.grading.findings.Mistake
 import java.nio.file.Path
+import kotlin.io.path.nameWithoutExtension
 import kotlin.io.path.readLines
 
 /**
@@ -48,7 +49,7 @@ internal class RewriteReader(private val overlays: Path) {
             }
             endLines()
             val expectation = Expectation(mistakes, costs ?: (mistakes.flatten() - Mistake.UNKNOWN).map { it.check.id }.toSet())
-            return Rewrite(name, title, group, without, with, edits, expectation)
+            return Rewrite(name, title, group, without, with, edits, expectation, file.nameWithoutExtension)
         }
 
         private fun read(line: String) {

@@ -6,6 +6,7 @@ internal enum class Edition { SHEET, LATER }
 /**
  * A submission of the corpus: the course project, rewritten.
  *
+ * @param set what it was written with: `rewrites`, `students`, `mistakes`, or the name of a set that was held out.
  * @param rewrites names of [Rewrite]s in the order in which they are applied.
  */
 internal class Submission(
@@ -13,6 +14,7 @@ internal class Submission(
     val edition: Edition,
     val rewrites: List<String>,
     val expectation: Expectation,
+    val set: String,
 ) {
     override fun toString(): String = name
 }

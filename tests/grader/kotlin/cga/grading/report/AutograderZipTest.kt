@@ -1,6 +1,9 @@
 package cga.grading.report
 
 import cga.framework.InputError
+import cga.grading.findings.FailureReason
+import cga.grading.findings.Outcome
+import cga.grading.findings.Refused
 import cga.grading.rubric.Rubric
 import cga.grading.starter.StarterFiles
 import cga.testing.Need
@@ -58,8 +61,8 @@ class AutograderZipTest {
         ),
     ) = AutograderZip.write(home, folder.resolve("zip"), config)
 
-    /** Unpacks [zip] where Gradescope puts it, runs it on a submission, and returns results.json. */
-    private fun run(zip: Path): String {
+    /** Unpacks [zip] where Gradescope puts it. */
+    private fun unpack(zip: Path) {
         FileSystems.newFileSystem(zip, mapOf("enablePosixFileAttributes" to "true")).use { files ->
             for (file in files.getPath("/").walk().filter { it.isRegularFile() }) {
                 val target = root.resolve("source").resolve("$file".drop(1)).createParentDirectories()
@@ -67,15 +70,44 @@ class AutograderZipTest {
                 Files.setPosixFilePermissions(target, Files.getPosixFilePermissions(file))
             }
         }
-        root.resolve("submission").createDirectories()
-        val process = ProcessBuilder(
-            "${root.resolve("source/run_autograder")}",
-        ).redirectErrorStream(true).redirectOutput(folder.resolve("log").toFile())
+    }
+
+    /** Runs [script] of what was unpacked, and returns its exit code and what it said. */
+    private fun start(script: String): Pair<Int, String> {
+        val log = folder.resolve("log")
+        val process = ProcessBuilder("${root.resolve("source/$script")}").redirectErrorStream(true).redirectOutput(log.toFile())
         process.environment()["AUTOGRADER_ROOT"] = "$root"
+        process.environment()["PATH"] = "${folder.resolve("bin")}:${System.getenv("PATH")}"
         val started = process.start()
         assertTrue(started.waitFor(30, SECONDS))
-        assertEquals(0, started.exitValue()) { folder.resolve("log").readText() }
+        return started.exitValue() to log.readText()
+    }
+
+    /** Unpacks [zip], runs it on a submission, and returns results.json. */
+    private fun run(zip: Path): String {
+        unpack(zip)
+        root.resolve("submission").createDirectories()
+        val (exitCode, said) = start("run_autograder")
+        assertEquals(0, exitCode, said)
         return root.resolve("results/results.json").readText()
+    }
+
+    /** Makes the image of a program whose starter comes out as [outcome], which the grader takes for none of its own failures. */
+    private fun setUp(outcome: (Path) -> Outcome): Pair<Int, String> {
+        for (command in listOf("apt-get", "apt-cache")) {
+            val file = folder.resolve("bin/$command").createParentDirectories()
+            file.writeText("#!/bin/sh\n")
+            file.toFile().setExecutable(true)
+        }
+        val results = folder.resolve("graded").createDirectories()
+        val starter =
+            GradedSubmission("starter", results.resolve("starter").createDirectories(), outcome(results), Rubric.default(), seconds = 1.0)
+        GradesCsv.write(listOf(starter), emptyList(), results.resolve("grades.csv"))
+        GradescopeResults.write(starter, Language.ENGLISH, starter.folder.resolve("results.json"))
+        // The zip brings the part of the program that has these two commands; others would have to be built first.
+        home("case \$1 in starter) ;; grade) cp -r \"$results\" \"\$4\" ;; *) exit 2 ;; esac")
+        unpack(zip())
+        return start("setup.sh")
     }
 
     @Test
@@ -129,6 +161,19 @@ class AutograderZipTest {
         val results = Json.parseToJsonElement(run(zip())).jsonObject
         assertEquals("0", "${results["score"]}")
         assertTrue("not the fault of your submission" in "${results["output"]}" && "7" in "${results["output"]}")
+    }
+
+    @Test
+    fun `the image is not built where the starter comes to nothing`() {
+        val (exitCode, said) = setUp { Refused(FailureReason.CRASHED, "The program crashed with signal 11.") }
+        assertEquals(1, exitCode, said)
+        assertTrue("crashed with signal 11" in said && "could not be graded" in said) { said }
+    }
+
+    @Test
+    fun `the image is built where the starter is graded`() {
+        val (exitCode, said) = setUp(Fakes::mistaken)
+        assertEquals(0, exitCode, said)
     }
 
     @Test

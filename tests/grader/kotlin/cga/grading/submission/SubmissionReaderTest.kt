@@ -121,8 +121,11 @@ class SubmissionReaderTest {
                 "[versions]\ngson = \"2.8.6\"\n[libraries]\ngson = { module = \"com.google.code.gson:gson\", version.ref = \"gson\" }\n" +
                 "openal = { module = \"org.lwjgl:lwjgl-openal\" }",
             "pom.xml" to
-                "<dependency><groupId>com.google.code.gson</groupId><artifactId>gson</artifactId><version>2.8.6</version></dependency>" +
-                "<dependency><groupId>org.lwjgl</groupId><artifactId>lwjgl-openal</artifactId></dependency>",
+                "<?xml version=\"1.0\"?><groupId>me</groupId><artifactId>tron</artifactId><gson.version>2.8.6</gson.version>" +
+                "<dependency><groupId>com.google.code.gson</groupId><artifactId>gson</artifactId>" +
+                "<version>\${gson.version}</version></dependency>" +
+                "<dependency><groupId>org.lwjgl</groupId><artifactId>lwjgl-openal</artifactId></dependency>" +
+                "<plugin><groupId>org.jetbrains.kotlin</groupId><artifactId>kotlin-maven-plugin</artifactId><version>2</version></plugin>",
         )
         for ((name, text) in texts) {
             val found = LibraryFinder.find(Versions.withoutComments(mapOf(Path.of(name) to text)).values)

@@ -127,7 +127,7 @@ class GoldenCommandTest {
     @Test
     fun `bad usage ends in one message`() {
         for ((said, args) in listOf(
-            "no case has such a name" to listOf("--only", "nothing"),
+            "no case has such a name: did you mean step-4.1 or " to listOf("--only", "stpe-4.1"),
             "does not exist" to listOf("--report", "none/page.html"),
         )) {
             val process = golden(*args.toTypedArray())

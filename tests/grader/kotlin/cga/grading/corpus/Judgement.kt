@@ -1,0 +1,68 @@
+package cga.grading.corpus
+
+import java.nio.file.Path
+import java.util.Locale
+import kotlin.io.path.exists
+import kotlin.io.path.readLines
+import kotlin.io.path.writeText
+import kotlin.math.abs
+
+/**
+ * What the grader said of a submission of the corpus, as a line of `tests/submissions/judged.csv`: what is checked in is what it is expected
+ * to say again.
+ *
+ * @param elsewhere ids of the checks that lost points although no mistake of the submission belongs to them.
+ */
+internal data class Judgement(
+    val name: String,
+    val answer: Answer,
+    val points: Double,
+    val elsewhere: Set<String>,
+) {
+    /** In which way this is worse than what was [expected]; null where it is not. */
+    fun worseThan(expected: Judgement): String? {
+        val more = elsewhere - expected.elsewhere
+        return when {
+            answer < expected.answer -> "$answer, and was ${expected.answer}"
+            more.isNotEmpty() -> "loses points of ${more.joinToString()}, where it has no mistake"
+            abs(points - expected.points) > NOISE -> "$points points, and had ${expected.points}"
+            else -> null
+        }
+    }
+
+    /** Better than [expected] or as good, and not the same. */
+    fun isNewsAfter(expected: Judgement): Boolean = answer != expected.answer || elsewhere != expected.elsewhere
+
+    companion object {
+        /** Points are rounded to tenths; one of them may fall either way on another processor. */
+        private const val NOISE = 0.1 + 1e-9
+        private const val HEAD = "name,answer,points,elsewhere"
+
+        fun of(answered: Answered): Judgement =
+            Judgement(answered.submission.name, answered.answer, "%.1f".format(Locale.ROOT, answered.points).toDouble(), answered.elsewhere)
+
+        /** By name; none where [file] is not there. */
+        fun read(file: Path): Map<String, Judgement> =
+            if (!file.exists()) {
+                emptyMap()
+            } else {
+                file
+                    .readLines()
+                    .drop(1)
+                    .map { line ->
+                        val (name, answer, points, elsewhere) = line.split(',')
+                        val checks = elsewhere.split(' ').filter(String::isNotEmpty).toSet()
+                        Judgement(name, Answer.valueOf(answer.uppercase().replace(' ', '_')), points.toDouble(), checks)
+                    }.associateBy { it.name }
+            }
+
+        /** Writes [all] in the order of the corpus. */
+        fun write(file: Path, all: Map<String, Judgement>) {
+            val lines = Corpus.all.mapNotNull { all[it.name] }.map { judgement ->
+                val answer = judgement.answer.name.lowercase().replace('_', ' ')
+                "${judgement.name},$answer,${judgement.points},${judgement.elsewhere.joinToString(" ")}"
+            }
+            file.writeText((listOf(HEAD) + lines).joinToString("\n", postfix = "\n"))
+        }
+    }
+}

@@ -6,6 +6,7 @@ import java.nio.file.Files
 import java.nio.file.Path
 import java.nio.file.StandardCopyOption.ATOMIC_MOVE
 import java.nio.file.StandardCopyOption.REPLACE_EXISTING
+import java.util.UUID
 
 /** Writes files whole or not at all: to a temporary name beside the target, then renamed. */
 public object AtomicFile {
@@ -41,7 +42,8 @@ public object AtomicFile {
         }
     }
 
-    private fun temporaryFor(target: Path): Path = target.resolveSibling(".${target.fileName}.${ProcessHandle.current().pid()}.part")
+    /** Several may write the same file at a time, in one process and in containers whose process numbers are alike. */
+    private fun temporaryFor(target: Path): Path = target.resolveSibling(".${target.fileName}.${UUID.randomUUID()}.part")
 
     private fun move(
         from: Path,

@@ -54,6 +54,30 @@ class LayerTest {
         }
 
     @Test
+    fun `what reads a stranger's files runs in jobs only`() {
+        val own = sources.filter { !isJobs(it.packageName) && layer(it.packageName) in setOf("grading", "cli") }
+        assertNotEquals(0, own.size, "no sources of the grader found")
+        assertEquals("", own.flatMap(::crossings).joinToString("\n"))
+    }
+
+    @Test
+    fun `a use of what runs in jobs is reported, and so is a regular expression between them`() {
+        fun crossings(code: String) = crossings(Source("X.kt", "package cga.grading.pipeline\n$code\n"))
+        val reader = "cga.grading.submission.SubmissionReader"
+        assertEquals(listOf("X.kt:2: only a job may use $reader"), crossings("import $reader"))
+        assertEquals(listOf("X.kt:2: text of a submission is not matched here"), crossings("val a = Regex(\"a\")"))
+        assertEquals(emptyList<String>(), crossings("const val MAIN = \"cga.grading.submission.PrepareMain\""))
+    }
+
+    private fun crossings(source: Source): List<String> {
+        val uses = source.uses.filter { isJobs(it.second) }.map { (line, name) -> "${source.name}:$line: only a job may use $name" }
+        val isBetween = BETWEEN_JOBS.any { source.packageName == "cga.grading.$it" }
+        return uses + if (isBetween) source.regexes.map { "${source.name}:$it: text of a submission is not matched here" } else emptyList()
+    }
+
+    private fun isJobs(name: String) = JOBS.any { "$name.".startsWith("cga.grading.$it.") }
+
+    @Test
     fun `a use of a higher layer is reported with its line`() {
         assertViolations("cga.exercise.game", "import cga.grading.Check", "X.kt:2: exercise must not use cga.grading.Check")
         assertViolations("cga.framework", "val x = cga.exercise.Scene()", "X.kt:2: framework must not use cga.exercise.Scene")
@@ -143,6 +167,8 @@ class LayerTest {
                 QUALIFIED_NAME.findAll(line).map { index + 1 to it.value }
             }
 
+        val regexes = lines.withIndex().filter { "Regex(" in it.value }.map { it.index + 1 }
+
         val doubleBangs = lines.withIndex().filter { "!!" in it.value }.map { it.index + 1 }
 
         private companion object {
@@ -160,5 +186,13 @@ class LayerTest {
 
             val TEXT = setOf(KtTokens.REGULAR_STRING_PART, KtTokens.ESCAPE_SEQUENCE, KtTokens.CHARACTER_LITERAL)
         }
+    }
+
+    private companion object {
+        /** Parts of the grader that run in the sandbox: they are started by name, and nothing outside of it may call them. */
+        val JOBS = listOf("submission", "worker", "analysis", "study", "scene", "replay", "substitute")
+
+        /** Parts that start jobs and hand on what those say. */
+        val BETWEEN_JOBS = listOf("pipeline", "prepared")
     }
 }

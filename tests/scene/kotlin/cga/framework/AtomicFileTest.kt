@@ -41,6 +41,17 @@ class AtomicFileTest {
     }
 
     @Test
+    fun `two that write the same file at a time do not meet`() {
+        AtomicFile.write(target) { outer ->
+            outer.writeText("outer")
+            AtomicFile.write(target) { it.writeText("inner") }
+            assertEquals("inner", target.readText())
+        }
+        assertEquals("outer", target.readText())
+        assertLeft(target)
+    }
+
+    @Test
     fun `a failure leaves neither the target nor a temporary file`() {
         for (failure in listOf(IOException("no space"), InputError("bad"), IllegalStateException("a bug"), OutOfMemoryError("big"))) {
             val thrown = assertThrows<Throwable> { failing(failure) }

@@ -88,6 +88,7 @@ internal class GradeCommand(
         gradescope?.let(AtomicFile::checkWritable)
         val settings = CourseSettings(rubric?.let(Rubric::read) ?: Rubric.default(), lang, edition, jobs, gradescope)
         val grader = if (merge) null else grader()
+        if (unsafeNoSandbox && !merge) echo(UNCONFINED, err = true)
         val (graded, missing) =
             ResultStore.open(out, resume).use { store ->
                 val (graded, missing) = if (grader == null) merged(store, settings) else graded(store, settings, grader) to emptyList()
@@ -141,5 +142,7 @@ internal class GradeCommand(
 
     private companion object {
         const val INCOMPLETE = 1
+        const val UNCONFINED =
+            "warning: --unsafe-no-sandbox: submissions run with all your rights and can change results, their own and others'."
     }
 }

@@ -1,5 +1,7 @@
 package cga.grading.compile
 
+import cga.grading.prepared.PreparedTree
+
 /** A library by its Maven coordinates. @param classifier of a file beside the library itself, such as `natives-linux`. */
 public data class Artifact(
     public val group: String,
@@ -9,11 +11,9 @@ public data class Artifact(
 ) {
     init {
         // They become paths and addresses, and the version comes from a student's build file.
-        require(
-            listOfNotNull(group, name, version, classifier).all {
-                PART.matches(it)
-            },
-        ) { "not the coordinates of a library: $group:$name:$version" }
+        require(listOfNotNull(group, name, version, classifier).all(PreparedTree::isCoordinate)) {
+            "not the coordinates of a library: $group:$name:$version"
+        }
     }
 
     /** The folder of all versions in a repository. */
@@ -25,8 +25,4 @@ public data class Artifact(
     internal fun fileName(extension: String): String = "$name-$version${classifier?.let { "-$it" }.orEmpty()}.$extension"
 
     override fun toString(): String = "$group:$name:$version"
-
-    private companion object {
-        val PART = Regex("""[A-Za-z0-9_-]+(?:\.[A-Za-z0-9_-]+)*""")
-    }
 }

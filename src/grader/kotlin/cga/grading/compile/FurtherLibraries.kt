@@ -1,6 +1,6 @@
 package cga.grading.compile
 
-import cga.grading.submission.NamedLibrary
+import cga.grading.prepared.NamedLibrary
 import java.nio.file.Path
 import kotlin.io.path.name
 

@@ -1,44 +1,56 @@
 package cga.grading.compile
 
-import cga.grading.submission.SourceFile
-import cga.grading.submission.Submission
+import cga.grading.prepared.PreparedSource
 
 /**
  * Compiles a submission some of whose files have errors: those are replaced by the files of the same name of a correct project, or left out
  * where it has none, round by round, as each round may show errors that were hidden or new.
  *
- * @param compile compiles these sources of the submission.
+ * @param compile compiles the submission without these sources of its own.
+ * @param breaks whether the compiler itself fails at these sources alone.
  */
 internal class Repair(
-    private val submission: Submission,
-    private val compile: (List<SourceFile>) -> CompileResult,
+    private val sources: List<PreparedSource>,
+    private val compile: (Set<PreparedSource>) -> CompileResult,
+    private val breaks: (List<PreparedSource>) -> Boolean,
 ) {
-    /** The result of the last round, the names of the [files] that are not the submission's any more, and those of them [leftOut]. */
+    /** The result of the last round, and the [files] that are not the submission's any more. */
     class Repaired(
         val result: CompileResult,
-        val files: List<String>,
-        val leftOut: List<String>,
+        val files: List<PreparedSource>,
     )
 
     /** What becomes of the submission, which failed with [first]; null where no round helps. */
     fun repaired(first: CompileResult): Repaired? {
-        var sources = submission.sources
         var failed = first
-        val replaced = LinkedHashSet<String>()
+        val replaced = LinkedHashSet<PreparedSource>()
         repeat(MOST_ROUNDS) {
-            val names = failed.errors.mapNotNull { it.file }.toSet()
-            val wrong = sources.filter { it.name in names }
+            val wrong = wrong(failed, replaced)
             // An error elsewhere than in a file, in our stand-in, or in a file that is the reference's: nothing more can be done.
-            if (wrong.isEmpty() || wrong.any { it.name in replaced } || failed.errors.any { it.file == null }) return null
-            replaced += wrong.map { it.name }
-            sources = sources.mapNotNull { if (it in wrong) ReferenceSources.like(it, submission.kind) else it }
-            failed = compile(sources)
-            if (failed.classes != null) {
-                val kept = sources.map { it.name }.toSet()
-                return Repaired(failed, replaced.toList(), (replaced - kept).toList())
-            }
+            if (wrong.isEmpty() || wrong.any { it.isOurs || it in replaced }) return null
+            replaced += wrong
+            failed = compile(replaced)
+            if (failed.classes != null) return Repaired(failed, replaced.toList())
         }
         return null
+    }
+
+    private fun wrong(failed: CompileResult, replaced: Set<PreparedSource>): Set<PreparedSource> {
+        val named = failed.errors.mapNotNull { it.source }.toSet()
+        return if (failed.errors.any { it.source == null }) {
+            setOfNotNull(
+                breaking(sources.filterNot { it.isOurs || it in replaced }),
+            )
+        } else {
+            named
+        }
+    }
+
+    /** The one of [suspects] at which the compiler fails, found by halves; null where it fails at none by itself. */
+    private fun breaking(suspects: List<PreparedSource>): PreparedSource? {
+        if (suspects.size < 2) return suspects.firstOrNull()?.takeIf { breaks(suspects) }
+        val (first, second) = suspects.chunked((suspects.size + 1) / 2)
+        return breaking(if (breaks(first)) first else second)
     }
 
     private companion object {

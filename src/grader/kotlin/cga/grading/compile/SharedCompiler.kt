@@ -6,12 +6,10 @@ import cga.grading.sandbox.Limits
 import cga.grading.sandbox.SafeFiles
 import cga.grading.sandbox.Sandbox
 import cga.grading.sandbox.Scratch
-import java.io.ByteArrayInputStream
 import java.io.IOException
 import java.nio.file.Path
-import java.util.zip.ZipInputStream
 import kotlin.concurrent.thread
-import kotlin.io.path.createParentDirectories
+import kotlin.io.path.createDirectories
 import kotlin.io.path.createTempDirectory
 import kotlin.io.path.deleteIfExists
 import kotlin.io.path.exists
@@ -56,13 +54,13 @@ internal class SharedCompiler(
         }
     }
 
-    /** Whether the sources in the folders [sources] compile; then their classes are in [classes], an empty folder. */
-    fun compiles(sources: List<Path>, classes: Path): Boolean {
+    /** Whether [sources] compile, each of which lies in a folder with a name of its own; then their classes are in [jar], which is made. */
+    fun compiles(sources: Collection<Path>, jar: Path): Boolean {
         val number = requests++
         try {
             val answer = if (waitFor(files.ready)) answer(number, sources) else null
             isUsable = answer in UNHARMED
-            if (answer == OK) unpack(SafeFiles.read(scratch, files.jar(number).name, MOST_BYTES), classes)
+            if (answer == OK) jar.writeBytes(SafeFiles.read(scratch, files.jar(number).name, MOST_BYTES))
             return answer == OK
         } catch (_: IOException) {
             isUsable = false
@@ -75,9 +73,10 @@ internal class SharedCompiler(
         return false
     }
 
-    private fun answer(number: Int, sources: List<Path>): String? {
-        val copies = sources.map { folder ->
-            files.sources(number).resolve(folder.name).also { folder.toFile().copyRecursively(it.toFile()) }
+    private fun answer(number: Int, sources: Collection<Path>): String? {
+        val copies = sources.map { source ->
+            val copy = files.sources(number).resolve(source.parent.name).createDirectories().resolve(source.name)
+            copy.apply { writeBytes(SafeFiles.read(source.parent, source.name, LARGEST_SOURCE)) }
         }
         val request = scratch.resolve("asking").apply { writeLines(compiler.arguments(copies, libraries, files.jar(number))) }
         request.moveTo(files.request(number))
@@ -92,15 +91,6 @@ internal class SharedCompiler(
             Thread.sleep(PAUSE)
         }
         return true
-    }
-
-    /** The classes in [jar]; what has another name than a class can have is left behind. */
-    private fun unpack(jar: ByteArray, classes: Path) {
-        ZipInputStream(ByteArrayInputStream(jar)).use { zip ->
-            generateSequence(zip::getNextEntry).filter { FILE.matches(it.name) }.forEach { entry ->
-                classes.resolve(entry.name).createParentDirectories().writeBytes(zip.readNBytes(MOST_BYTES.toInt()))
-            }
-        }
     }
 
     /** Kills the process and removes its folder. */
@@ -124,6 +114,6 @@ internal class SharedCompiler(
         const val PAUSE = 10L
         const val MOST_BYTES = 32L shl 20
         const val LONGEST_ANSWER = 100L
-        val FILE = Regex("""([\w$-]+/)*[\w$-]+\.(class|kotlin_module)""")
+        const val LARGEST_SOURCE = 8L shl 20
     }
 }

@@ -10,10 +10,10 @@ internal class SharedCompilers(
     private val idle = ConcurrentLinkedDeque<SharedCompiler>()
 
     /** As [SharedCompiler.compiles]. */
-    fun compiles(sources: List<Path>, classes: Path): Boolean {
+    fun compiles(sources: Collection<Path>, jar: Path): Boolean {
         val compiler = idle.poll() ?: make()
         try {
-            return compiler.compiles(sources, classes)
+            return compiler.compiles(sources, jar)
         } finally {
             if (compiler.isUsable) idle.push(compiler) else compiler.close()
         }

@@ -66,6 +66,7 @@ internal object OutcomeFile {
             facts.kind?.let { put("kind", it.take(MOST_TEXT)) }
             facts.edition?.let { put("edition", it.take(MOST_TEXT)) }
             facts.compiler?.let { put("compiler", it.take(MOST_TEXT)) }
+            if (!facts.isConfined) put("unconfined", true)
             facts.peakBytes?.let { put("peakBytes", it) }
             put("seconds", JsonObject(facts.seconds.filterValues { it.isFinite() }.mapValues { JsonPrimitive(it.value) }))
             val logs = facts.logs.take(MOST_LOGS)
@@ -114,6 +115,7 @@ internal object OutcomeFile {
             seconds.names.associateWith { seconds.get(it).seconds() },
             node.find("peakBytes")?.number("a whole number", String::toLongOrNull),
             node.find("logs")?.list().orEmpty().map { LogExcerpt(it.get("title").optionalText(), it.get("text").optionalText()) },
+            isConfined = node.find("unconfined") == null,
         )
     }
 

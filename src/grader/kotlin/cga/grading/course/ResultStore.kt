@@ -3,6 +3,7 @@ package cga.grading.course
 import cga.framework.InputError
 import cga.framework.reason
 import cga.grading.findings.Graded
+import cga.grading.findings.Refused
 import java.io.IOException
 import java.nio.channels.FileChannel
 import java.nio.channels.OverlappingFileLockException
@@ -32,10 +33,16 @@ public class ResultStore private constructor(
     /** Where [folder] of a submission is or will be. */
     internal fun folder(folder: String): Path = out.resolve(folder)
 
-    /** The result of the submission called [folder], where it was made from the same input. Anything unreadable is as good as none. */
+    /**
+     * The result of the submission called [folder], where it was made from the same input. Anything unreadable is as good as none, and so is
+     * a failure that was not the submission's: it is tried again.
+     */
     internal fun find(folder: String, checksum: String): StoredOutcome? =
         try {
-            OutcomeFile.read(folder(folder)).takeIf { it.checksum == checksum && checksum != "missing" }
+            OutcomeFile.read(folder(folder)).takeIf {
+                it.checksum == checksum && checksum != "missing" &&
+                    (it.outcome as? Refused)?.reason?.isItsOwn != false
+            }
         } catch (_: InputError) {
             null
         }

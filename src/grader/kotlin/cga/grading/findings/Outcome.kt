@@ -29,6 +29,7 @@ public class Refused(
  * @param edition of the course, as detected or asked for.
  * @param compiler which compiler and language level its Kotlin went through.
  * @param seconds wall time of each stage, by the stage's name, in order.
+ * @param isConfined false where it ran without a sandbox, so that it could have changed its own result.
  * @param peakBytes most memory that its whole process tree held at once.
  */
 public class RunFacts(
@@ -38,6 +39,7 @@ public class RunFacts(
     public val seconds: Map<String, Double> = emptyMap(),
     public val peakBytes: Long? = null,
     public val logs: List<LogExcerpt> = emptyList(),
+    public val isConfined: Boolean = true,
 )
 
 /** A part of what a stage said; it may hold anything that the submission wrote. */

@@ -3,6 +3,7 @@ package cga.grading.pipeline
 import cga.grading.capture.WorkerFiles
 import cga.grading.capture.WorkerRun
 import cga.grading.findings.FailureReason
+import cga.grading.prepared.PreparedTree
 import cga.grading.sandbox.End
 import cga.grading.sandbox.JavaCommand
 import cga.grading.sandbox.Job
@@ -10,7 +11,6 @@ import cga.grading.sandbox.Limits
 import cga.grading.sandbox.Outcome
 import cga.grading.sandbox.SafeFiles
 import cga.grading.sandbox.Sandbox
-import cga.grading.submission.Submission
 import java.nio.file.Path
 import kotlin.io.path.createDirectories
 
@@ -21,27 +21,27 @@ internal class CaptureStep(
     private val limits: Limits,
 ) {
     /**
-     * The capture file, which nobody has looked into yet, of [submission] started in [start]; see [SecondTry] for a crash. Throws [Stopped]
+     * The capture file, which nobody has looked into yet, of the submission in [tree]; see [SecondTry] for a crash. Throws [Stopped]
      * where there is none.
      */
-    fun capture(submission: Submission, start: Path, main: String, compiled: Compiled, scratch: Path, run: Run): Path {
-        val (outcome, folder) = SecondTry.after(scratch) { attempt(submission, start, main, compiled, it, run) }
+    fun capture(tree: PreparedTree, main: String, compiled: Compiled, scratch: Path, run: Run): Path {
+        val (outcome, folder) = SecondTry.after(scratch) { attempt(tree, main, compiled, it, run) }
         return captured(outcome, folder)
     }
 
-    private fun attempt(submission: Submission, start: Path, main: String, compiled: Compiled, scratch: Path, run: Run): Outcome {
+    private fun attempt(tree: PreparedTree, main: String, compiled: Compiled, scratch: Path, run: Run): Outcome {
         val command = WorkerFiles.command(
             WorkerRun(
-                listOf(compiled.classes) + compiled.runtime,
+                compiled.classes + compiled.runtime,
                 programs.worker,
                 main,
                 scratch.resolve(NAME),
                 programs.workerArchive.options,
             ),
         )
-        val readOnly = programs.readable + compiled.runtime + listOf(compiled.classes, submission.root, start)
+        val readOnly = programs.readable + compiled.runtime + compiled.classes + listOf(tree.start)
         return sandbox
-            .run(Job(command, scratch, readOnly, JavaCommand.MESA + NO_SOUND, workingDirectory = start, limits = limits))
+            .run(Job(command, scratch, readOnly, JavaCommand.MESA + NO_SOUND, workingDirectory = tree.start, limits = limits))
             .also { run.note("the program's output", it) }
     }
 

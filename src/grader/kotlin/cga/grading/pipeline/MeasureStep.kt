@@ -5,13 +5,13 @@ import cga.grading.findings.Check
 import cga.grading.findings.FailureReason
 import cga.grading.findings.Findings
 import cga.grading.findings.FindingsFile
+import cga.grading.prepared.Edition
 import cga.grading.sandbox.JavaCommand
 import cga.grading.sandbox.Job
 import cga.grading.sandbox.Limits
 import cga.grading.sandbox.Outcome
 import cga.grading.sandbox.SafeFiles
 import cga.grading.sandbox.Sandbox
-import cga.grading.submission.Submission
 import java.nio.file.Path
 import kotlin.io.path.writeBytes
 
@@ -22,13 +22,13 @@ internal class MeasureStep(
     private val limits: Limits,
 ) {
     /** The findings, their pictures put into [folder]; see [SecondTry] for a crash. Throws [Stopped]. */
-    fun measure(submission: Submission, capture: Path, scratch: Path, folder: Path, run: Run): Findings {
-        val (outcome, measured) = SecondTry.after(scratch) { attempt(submission, capture, it, run) }
+    fun measure(edition: Edition, capture: Path, scratch: Path, folder: Path, run: Run): Findings {
+        val (outcome, measured) = SecondTry.after(scratch) { attempt(edition, capture, it, run) }
         return findings(outcome, measured, folder)
     }
 
-    private fun attempt(submission: Submission, capture: Path, scratch: Path, run: Run): Outcome {
-        val arguments = listOf(capture.toString(), scratch.toString(), submission.edition.edition.id)
+    private fun attempt(edition: Edition, capture: Path, scratch: Path, run: Run): Outcome {
+        val arguments = listOf(capture.toString(), scratch.toString(), edition.id)
         val command = JavaCommand(programs.own, MAIN, arguments, options = programs.ownArchive.options).command()
         val readOnly = programs.own + listOfNotNull(programs.ownArchive.file, capture)
         val environment = JavaCommand.mesaCachingIn(scratch.resolve("shaders"))

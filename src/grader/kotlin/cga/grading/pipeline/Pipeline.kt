@@ -1,6 +1,5 @@
 package cga.grading.pipeline
 
-import cga.framework.InputError
 import cga.grading.compile.CompileResult
 import cga.grading.compile.CompilerCache
 import cga.grading.compile.LibraryUnavailable
@@ -11,13 +10,11 @@ import cga.grading.course.GradeOne
 import cga.grading.findings.FailureReason
 import cga.grading.findings.Graded
 import cga.grading.findings.Outcome
+import cga.grading.prepared.Edition
+import cga.grading.prepared.PreparedSource
+import cga.grading.prepared.PreparedTree
 import cga.grading.sandbox.Sandbox
 import cga.grading.sandbox.Scratch
-import cga.grading.submission.Edition
-import cga.grading.submission.NotASubmission
-import cga.grading.submission.SourceFile
-import cga.grading.submission.Submission
-import cga.grading.submission.SubmissionReader
 import java.nio.file.Path
 import kotlin.io.path.createDirectories
 
@@ -32,7 +29,7 @@ import kotlin.io.path.createDirectories
  */
 public class Pipeline(
     private val sandbox: Sandbox,
-    private val edition: Edition?,
+    edition: Edition?,
     home: Path,
     private val limits: PipelineLimits = PipelineLimits(),
     sharesCompiler: Boolean = false,
@@ -41,13 +38,19 @@ public class Pipeline(
     private val compiler =
         SubmissionCompiler(sandbox, CompilerCache(home), programs.forSubmissions, limits.compile, programs.own.takeIf { sharesCompiler })
 
+    private val prepare = PrepareStep(sandbox, programs, limits.prepare, edition)
+    private val capture = CaptureStep(sandbox, programs, limits.run)
+    private val measure = MeasureStep(sandbox, programs, limits.measure)
+
     override fun grade(submission: Path, folder: Path, listener: CheckListener): Outcome {
         val work = folder.toRealPath().resolve("work").createDirectories()
-        val run = Run()
+        val run = Run(sandbox.isConfined)
         return try {
             grade(submission, folder, work, run).also { if (it is Graded) it.findings.checks.forEach(listener::measured) }
         } catch (e: Stopped) {
-            run.refused(e.reason, e.detail)
+            // Nobody is blamed for what a full disk may have done.
+            val full = DiskSpace.lack(work, limits.run.diskBytes).takeIf { e.reason.isItsOwn }
+            if (full == null) run.refused(e.reason, e.detail) else run.refused(FailureReason.INTERNAL, "$full It ended so: ${e.detail}")
         } finally {
             Scratch.delete(work)
         }
@@ -56,62 +59,46 @@ public class Pipeline(
     override fun close(): Unit = compiler.close()
 
     private fun grade(given: Path, folder: Path, work: Path, run: Run): Outcome {
-        val submission = run.timed("unpack") { read(given, work) }
-        run.kind = submission.kind.name.lowercase()
-        run.edition = submission.edition.edition.title
-        val main = submission.mainClass ?: throw Stopped(FailureReason.NOT_RECOGNIZED, "There is no main function to start.")
-        val compiled = run.timed("compile") { compile(submission, work.resolve("compile").createDirectories(), run) }
-        val start = RunFolder(submission, work.resolve("assets"))
-        val capture = run.timed("run") {
-            val scratch = work.resolve("run").createDirectories()
-            CaptureStep(sandbox, programs, limits.run).capture(submission, start.folder, main, compiled, scratch, run)
-        }
-        return run
-            .timed("measure") {
-                MeasureStep(
-                    sandbox,
-                    programs,
-                    limits.measure,
-                ).measure(submission, capture, work.resolve("measure").createDirectories(), folder, run)
-            }.let { run.graded(compiled.replaced.applied(it), submission.notes + start.notes + compiled.notes) }
+        fun folder(name: String) = work.resolve(name).createDirectories()
+        val tree = run.timed("unpack") { prepare.prepare(given, folder("prepare")) }
+        val manifest = tree.manifest
+        run.kind = manifest.kind.name.lowercase()
+        run.edition = manifest.edition.title
+        val main = manifest.mainClass ?: throw Stopped(FailureReason.NOT_RECOGNIZED, "There is no main function to start.")
+        val compiled = run.timed("compile") { compile(tree, folder("compile"), run) }
+        val capture = run.timed("run") { capture.capture(tree, main, compiled, folder("run"), run) }
+        val findings = run.timed("measure") { measure.measure(manifest.edition, capture, folder("measure"), folder, run) }
+        return run.graded(compiled.replaced.applied(findings), manifest.notes + compiled.notes)
     }
 
-    private fun read(given: Path, work: Path): Submission =
-        try {
-            SubmissionReader.read(Readable.of(given, work.resolve("copy")), work.resolve("unpacked"), edition)
-        } catch (e: NotASubmission) {
-            throw Stopped(FailureReason.NOT_RECOGNIZED, e.message.orEmpty())
-        } catch (e: InputError) {
-            throw Stopped(FailureReason.UNPACK_REFUSED, e.message.orEmpty())
-        }
-
-    private fun compile(submission: Submission, scratch: Path, run: Run): Compiled {
-        val window = submission.sources.firstOrNull {
-            it.packageName == "cga.framework" &&
-                it.path.fileName.toString().substringBeforeLast('.') == "GameWindow"
-        }
-        val standIn = mapOf("cga.framework.GameWindow" to programs.standIn(window?.text))
-
+    private fun compile(tree: PreparedTree, scratch: Path, run: Run): Compiled {
         // A folder for each round: what was left out must not lie about.
         var rounds = 0
 
-        fun compile(sources: List<SourceFile>) =
+        fun round() = scratch.resolve("${++rounds}").createDirectories()
+
+        fun compile(replaced: Set<PreparedSource>) =
             try {
-                compiler.compile(submission.with(sources), scratch.resolve("${++rounds}").createDirectories(), standIn)
+                compiler.compile(tree, tree.files(replaced), round())
             } catch (e: LibraryUnavailable) {
                 throw Stopped(FailureReason.NO_COMPILER, e.message.orEmpty())
             }
-        val result = compile(submission.sources)
+        val result = compile(emptySet())
         run.compiler = result.compiler
         result.classes?.let { return Compiled(it, result.runtime, result.notes) }
         val lines = lines(result)
         run.log("compiler", lines.joinToString("\n"))
-        val repaired = Repair(submission, ::compile).repaired(result)
+        val repair =
+            Repair(
+                tree.manifest.sources,
+                ::compile,
+            ) { alone -> compiler.isBrokenBy(tree, tree.files().filterKeys(alone::contains), round()) }
+        val repaired = repair.repaired(result)
         val classes = repaired?.result?.classes ?: throw Stopped(FailureReason.DOES_NOT_COMPILE, lines.take(MOST_ERRORS).joinToString("\n"))
         run.compiler = repaired.result.compiler
-        val files = repaired.files.map { "$it does not compile: " + if (it in repaired.leftOut) LEFT_OUT else REPLACED }
+        val files = repaired.files.map { "${it.name} does not compile: " + if (it.hasReference) REPLACED else LEFT_OUT }
         val notes = (result.notes + files + lines.take(MOST_ERRORS) + repaired.result.notes).distinct()
-        return Compiled(classes, repaired.result.runtime, notes, ReplacedFiles(repaired.files))
+        return Compiled(classes, repaired.result.runtime, notes, ReplacedFiles(repaired.files.map { it.name }))
     }
 
     private fun lines(result: CompileResult) =
@@ -129,7 +116,7 @@ public class Pipeline(
  * were replaced.
  */
 internal class Compiled(
-    val classes: Path,
+    val classes: List<Path>,
     val runtime: List<Path>,
     val notes: List<String>,
     val replaced: ReplacedFiles = ReplacedFiles(emptyList()),

@@ -1,7 +1,8 @@
 package cga.grading.pipeline
 
-import cga.grading.capture.StandIn
+import cga.framework.Home
 import cga.grading.capture.WorkerFiles
+import cga.grading.prepared.Kind
 import cga.grading.sandbox.ClassArchive
 import cga.grading.sandbox.JavaCommand
 import java.io.File
@@ -38,7 +39,7 @@ internal class Programs(home: Path) {
 
     /** The classes of [worker] and the libraries. */
     val workerArchive: ClassArchive by lazy {
-        ClassArchive.of(home.toRealPath(), "worker", WorkerFiles.own(worker), WorkerFiles.FLAGS, OURS, ::rehearsal)
+        ClassArchive.of(home.toRealPath(), "worker", WorkerFiles.own(worker), WorkerFiles.FLAGS, OURS, listOf(::rehearsal))
     }
 
     /** This program's own class path, `lib/` and all. */
@@ -47,15 +48,18 @@ internal class Programs(home: Path) {
 
     /** The classes of [own]. */
     val ownArchive: ClassArchive by lazy {
-        ClassArchive.of(home.toRealPath(), "measure", own, JavaCommand.commonOptions(), OURS, ::rehearsal)
+        ClassArchive.of(home.toRealPath(), "measure", own, JavaCommand.commonOptions(), OURS, listOf(::rehearsal, ::reading))
     }
 
     /** Opens a window of the worker's and ends; what it captures goes into [folder]. */
     private fun rehearsal(folder: Path): List<String> =
         listOf("cga.grading.worker.WorkerMain", "cga.grading.worker.Trial", "${folder.resolve("capture")}")
 
-    /** The class that takes the place of the submission's window, whose source is [original]. */
-    fun standIn(original: String?): String = StandIn(original).source()
+    /** Reads a correct project as if it were handed in. */
+    private fun reading(folder: Path): List<String> {
+        val home = Home.resolve("").toAbsolutePath()
+        return listOf("-Dcga.home=$home", PrepareStep.MAIN, "${home.resolve(Kind.COURSE.reference)}", "$folder", "")
+    }
 
     private companion object {
         /** More than one window needs. */

@@ -9,7 +9,9 @@ import cga.grading.findings.RunFacts
 import cga.grading.sandbox.Outcome
 
 /** What is noted about one submission on its way through the steps. */
-internal class Run {
+internal class Run(
+    private val isConfined: Boolean = true,
+) {
     var kind: String? = null
     var edition: String? = null
     var compiler: String? = null
@@ -45,7 +47,7 @@ internal class Run {
 
     fun refused(reason: FailureReason, detail: String): Refused = Refused(reason, detail, facts())
 
-    private fun facts() = RunFacts(kind, edition, compiler, seconds.toMap(), peakBytes.takeIf { it > 0 }, logs.toList())
+    private fun facts() = RunFacts(kind, edition, compiler, seconds.toMap(), peakBytes.takeIf { it > 0 }, logs.toList(), isConfined)
 
     private companion object {
         const val MOST_LOG = 20_000

@@ -46,6 +46,8 @@ public object ContactSheet {
         }
         val open = submissions.count { (it.grade?.open ?: 0.0) > 0 }
         if (open > 0) p("lead warn") { +("? " + messages.text("course.open", open)) }
+        val unconfined = submissions.count { !it.outcome.facts.isConfined }
+        if (unconfined > 0) p("lead warn") { +("! " + messages.text("course.no-sandbox", unconfined)) }
         if (missing.isNotEmpty()) p("lead fail") { +"${messages.text("course.missing")}: ${missing.joinToString { cleanLine(it) }}" }
         p("lead") { a("grades.csv") { +messages.text("course.table") } }
     }

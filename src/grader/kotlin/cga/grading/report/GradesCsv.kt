@@ -21,7 +21,7 @@ public object GradesCsv {
     private val TASKS = Check.entries.map { it.task }.distinct()
     private val HEADER =
         listOf("submission", "outcome", "points", "open", "maximum") + TASKS +
-            listOf("mistakes", "reason", "kind", "edition", "compiler", "seconds", "peak_mib", "page")
+            listOf("mistakes", "reason", "kind", "edition", "compiler", "sandbox", "seconds", "peak_mib", "page")
 
     private fun row(submission: GradedSubmission): List<String> {
         val grade = submission.grade
@@ -40,6 +40,7 @@ public object GradesCsv {
                 facts.kind.orEmpty(),
                 facts.edition.orEmpty(),
                 facts.compiler.orEmpty(),
+                if (facts.isConfined) "yes" else "no",
                 number(submission.seconds),
                 facts.peakBytes?.let { "${it shr 20}" }.orEmpty(),
                 "${submission.folder.fileName}/${GradedSubmission.PAGE}",

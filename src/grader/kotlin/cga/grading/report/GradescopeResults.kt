@@ -71,7 +71,8 @@ public object GradescopeResults {
                 listOf(messages.text("page.open", messages.number(open))).filter { open > 0 } +
                     mistakes.map { told(it, submission.grade, messages) }
             }
-        return parts.filter { it.isNotBlank() }.joinToString("\n\n").ifEmpty { score(submission, messages) }
+        val warning = listOf(messages.text("page.no-sandbox")).filterNot { submission.outcome.facts.isConfined }
+        return (warning + parts).filter { it.isNotBlank() }.joinToString("\n\n").ifEmpty { score(submission, messages) }
     }
 
     private fun told(mistake: Mistake, grade: Grade?, messages: Messages): String {

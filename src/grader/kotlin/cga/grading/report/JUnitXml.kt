@@ -52,6 +52,9 @@ public object JUnitXml {
         fun write(xml: XMLStreamWriter) {
             val name = cleanLine(submission.name)
             xml.element("testsuite", counts(name, cases, submission.seconds)) {
+                if (!submission.outcome.facts.isConfined) {
+                    xml.element("properties", emptyList()) { xml.element("property", listOf("name" to "sandbox", "value" to "none")) {} }
+                }
                 for (case in cases) {
                     // One time for all checks of a submission: they are measured together.
                     xml.element(

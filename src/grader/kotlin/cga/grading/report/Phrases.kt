@@ -9,7 +9,31 @@ import cga.grading.findings.Mistake
 internal class Phrases private constructor(
     private val messages: Messages,
 ) {
-    private class Phrase(val pattern: Regex, val weight: Int, val words: String)
+    /**
+     * A sentence with places to fill in.
+     *
+     * @param between what stands before, between and behind the places.
+     * @param isName of each place, whether it holds one word.
+     */
+    private class Phrase(val between: List<String>, val isName: List<Boolean>, val words: String) {
+        val weight = between.sumOf { it.length }
+
+        /** What [text] has in the places, each as short as can be but for the last; null where it is another sentence. Looks at it once. */
+        fun places(text: String): List<String>? {
+            if (!text.startsWith(between[0])) return null
+            var at = between[0].length
+            val places = isName.indices.map { i ->
+                val next = between[i + 1]
+                val isLast = i == isName.lastIndex
+                val end = if (isLast) text.length - next.length else text.indexOf(next, if (isName[i]) at + 1 else at)
+                if (end < at || !text.startsWith(next, end)) return null
+                val place = text.substring(at, end)
+                if (isName[i] && (place.isEmpty() || place.any(Char::isWhitespace))) return null
+                place.also { at = end + next.length }
+            }
+            return places.takeIf { at == text.length }
+        }
+    }
 
     private val phrases: List<Phrase> = blocks().map(::phrase).sortedByDescending { it.weight }
 
@@ -33,10 +57,10 @@ internal class Phrases private constructor(
 
     private fun whole(text: String, depth: Int): String? =
         phrases.firstNotNullOfOrNull { phrase ->
-            phrase.pattern.matchEntire(text)?.let { match ->
+            phrase.places(text)?.let { places ->
                 PLACE.replace(phrase.words) { place ->
                     val (number, kind) = place.destructured
-                    val said = match.groupValues[number.toInt() + 1]
+                    val said = places[number.toInt()]
                     if (kind.isEmpty()) argument(said, depth) else said
                 }
             }
@@ -51,7 +75,7 @@ internal class Phrases private constructor(
     }
 
     private fun argument(text: String, depth: Int): String =
-        if (NUMBERS.matches(text)) numbers(text) else translated(text, depth + 1) ?: text
+        if (text.all { it in NUMBERS } && text.any(Char::isDigit)) numbers(text) else translated(text, depth + 1) ?: text
 
     /** Between numbers with commas stand semicolons. */
     private fun numbers(text: String): String {
@@ -61,11 +85,8 @@ internal class Phrases private constructor(
 
     private fun phrase(block: List<String>): Phrase {
         val said = block.drop(1).associate { it.substring(0, 2) to it.substring(CODE).removePrefix(" ") }
-        // The last {n} of a line may hold a log of several.
-        val between = PLACE.split(block[0]).map(Regex::escape)
-        val places = PLACE.findAll(block[0]).map { if (it.groupValues[2] == NAME) "(\\S+)" else "([\\s\\S]*?)" } + ""
-        val pattern = between.zip(places.toList()).joinToString("") { (text, place) -> text + place }
-        return Phrase(Regex(pattern), PLACE.replace(block[0], "").length, said[messages.language.code] ?: block[0])
+        val isName = PLACE.findAll(block[0]).map { it.groupValues[2] == NAME }.toList()
+        return Phrase(PLACE.split(block[0]), isName, said[messages.language.code] ?: block[0])
     }
 
     companion object {
@@ -78,7 +99,7 @@ internal class Phrases private constructor(
         private val PLACE = Regex("""\{(\d)([!.]?)}""")
         private val ZEROS = Regex("""(\.\d*?)0+(?![\de])""")
         private val POINT = Regex("""(?<=\d)\.(?=\d)""")
-        private val NUMBERS = Regex("""[-+()\d.,;e°% ]*\d[-+()\d.,;e°% ]*""")
+        private const val NUMBERS = "0123456789-+().,;e°% "
         private val SEPARATORS = listOf("; ", ", ")
         private val MISTAKES = Mistake.entries.associateBy { it.id }
 

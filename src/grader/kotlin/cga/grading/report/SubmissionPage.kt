@@ -67,6 +67,7 @@ public object SubmissionPage {
                 }
             }
         }
+        if (!submission.outcome.facts.isConfined) p("open warn") { +("! " + messages.text("page.no-sandbox")) }
         val open = submission.grade?.open ?: 0.0
         if (open > 0) p("open warn") { +("? " + messages.text("page.open", messages.number(open))) }
     }

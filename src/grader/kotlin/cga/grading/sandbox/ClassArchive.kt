@@ -45,8 +45,8 @@ internal class ClassArchive private constructor(
          * The archive [name] in [folder], made where it is not there or not of these jars.
          *
          * @param prefixes names that begin so are archived too where a jar has them, such as `org/joml/`.
-         * @param rehearsal arguments of a JVM that loads what the jobs load, after [options] and the class path. What it writes is to go
-         * into the folder that it is given.
+         * @param rehearsals each the arguments of a JVM that loads what the jobs load, after [options] and the class path. What they write
+         * is to go into the folder that they are given.
          */
         fun of(
             folder: Path,
@@ -54,7 +54,7 @@ internal class ClassArchive private constructor(
             classPath: List<Path>,
             options: List<String>,
             prefixes: List<String>,
-            rehearsal: (Path) -> List<String>,
+            rehearsals: List<(Path) -> List<String>>,
         ): ClassArchive {
             // The JVM archives no folders; they change under a developer's hands besides.
             if (classPath.any { !it.isRegularFile() }) return NONE
@@ -62,7 +62,7 @@ internal class ClassArchive private constructor(
             val state = jars + options + prefixes + System.getProperty("java.vm.version")
             val file = folder.resolve("$name-${Integer.toHexString(state.hashCode())}.jsa")
             val path = listOf("-cp", classPath.joinToString(File.pathSeparator))
-            if (!file.exists()) make(file, name, path, options, named(classPath, prefixes), rehearsal)
+            if (!file.exists()) make(file, name, path, options, named(classPath, prefixes), rehearsals)
             return ClassArchive(file.takeIf { it.exists() })
         }
 
@@ -73,17 +73,21 @@ internal class ClassArchive private constructor(
             classPath: List<String>,
             options: List<String>,
             more: List<String>,
-            rehearsal: (Path) -> List<String>,
+            rehearsals: List<(Path) -> List<String>>,
         ) {
             val folder = createTempDirectory(file.parent, "archive")
             try {
                 val list = folder.resolve("classes")
                 val made = folder.resolve("made.jsa")
                 val quiet = options + listOf("-Xlog:disable", "-Xlog:all=off")
-                run(quiet + "-XX:DumpLoadedClassList=$list" + classPath + rehearsal(folder))
-                if (!list.exists()) return
+                val loaded = rehearsals.flatMapIndexed { index, rehearsal ->
+                    val part = folder.resolve("classes-$index")
+                    run(quiet + "-XX:DumpLoadedClassList=$part" + classPath + rehearsal(folder))
+                    if (part.exists()) part.readLines() else emptyList()
+                }
+                if (loaded.isEmpty()) return
                 val standard = if (JDK_CLASSES.exists()) JDK_CLASSES.readLines() else emptyList()
-                list.writeLines(list.readLines() + standard.filterNot { it.startsWith("#") } + more)
+                list.writeLines(loaded + standard.filterNot { it.startsWith("#") } + more)
                 run(quiet + listOf("-Xshare:dump", "-XX:SharedClassListFile=$list", "-XX:SharedArchiveFile=$made") + classPath)
                 if (!made.exists()) return
                 file.parent.listDirectoryEntries("$name-*.jsa").forEach { it.deleteIfExists() }

@@ -39,6 +39,8 @@ internal class ConfinedRun(
 
 /** Runs jobs with limits only. */
 internal class UnconfinedRun : Sandbox {
+    override val isConfined: Boolean get() = false
+
     override fun run(job: Job): Outcome {
         requireFolders(job)
         val limited = Limited.command(job, user = null, ownTasks = false)

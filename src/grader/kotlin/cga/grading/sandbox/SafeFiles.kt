@@ -35,6 +35,9 @@ public object SafeFiles {
             false
         }
 
+    /** Whether [path] is a folder and no link to one. */
+    internal fun isFolder(path: Path): Boolean = kind(path)?.isDirectory == true
+
     /** Names of the plain files directly in [folder], in order, at most [limit]; without those that only a link leads to. */
     public fun list(folder: Path, limit: Int): List<String> {
         if (kind(folder)?.isDirectory != true) return emptyList()

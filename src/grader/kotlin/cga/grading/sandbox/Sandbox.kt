@@ -11,6 +11,9 @@ public fun interface Sandbox {
      */
     public fun run(job: Job): Outcome
 
+    /** Whether a job is kept from all that is none of its business. */
+    public val isConfined: Boolean get() = true
+
     /** The ways to get one. */
     public companion object {
         /** Why [confined] would refuse, with the cure; null where it works. Tried once. */

@@ -19,23 +19,28 @@ internal enum class Archive {
     TAR_GZ,
     ;
 
-    /** Unpacks [file] to [folder], which it makes, and returns notes. Throws [NotASubmission] for what cannot or must not be unpacked. */
+    /** Unpacks [file] to [folder], which it makes, and returns notes. Throws [BadArchive] for what cannot or must not be unpacked. */
     fun unpack(file: Path, folder: Path): List<String> {
         Files.createDirectories(folder)
         val unpacked = Unpacked(folder.toAbsolutePath(), file.fileSize())
         try {
             when (this) {
                 ZIP -> unzip(file, unpacked)
-                TAR -> file.inputStream().buffered().use { TarReader(it).readAll(unpacked::add) }
-                TAR_GZ -> GZIPInputStream(file.inputStream().buffered()).buffered().use { TarReader(it).readAll(unpacked::add) }
+                TAR -> untar(file.inputStream().buffered(), unpacked)
+                TAR_GZ -> untar(GZIPInputStream(file.inputStream().buffered()).buffered(), unpacked)
             }
         } catch (e: IOException) {
-            throw NotASubmission("${file.name} is not a sound archive (${e.message}). Pack it again.")
+            Unreadable.require(e)
+            throw BadArchive("${file.name} is not a sound archive (${e.message}). Pack it again.")
         } catch (e: IllegalArgumentException) {
-            throw NotASubmission("${file.name} is not a sound archive (${e.message}). Pack it again.")
+            throw BadArchive("${file.name} is not a sound archive (${e.message}). Pack it again.")
         }
         return unpacked.notes
     }
+
+    /** All of a tar has to be read, also what is skipped: so all of it counts. */
+    private fun untar(stream: InputStream, unpacked: Unpacked) =
+        unpacked.counted(stream).use { TarReader(it).readAll(unpacked::add) }
 
     private fun unzip(file: Path, unpacked: Unpacked) {
         val zip = try {
@@ -49,15 +54,8 @@ internal enum class Archive {
             for (entry in zip.entries()) {
                 val kind = if (entry.isDirectory) EntryKind.FOLDER else EntryKind.FILE
                 // A link in a zip file is a small file with its target in it, and is unpacked as that.
-                (
-                    if (entry.isDirectory) {
-                        InputStream.nullInputStream()
-                    } else {
-                        zip.getInputStream(
-                            entry,
-                        )
-                    }
-                ).use { unpacked.add(entry.name, kind, it) }
+                val content = if (entry.isDirectory) InputStream.nullInputStream() else unpacked.counted(zip.getInputStream(entry))
+                content.use { unpacked.add(entry.name, kind, it) }
             }
         }
     }
@@ -68,15 +66,15 @@ internal enum class Archive {
         private const val ENOUGH = 512
         private const val USTAR_AT = 257
 
-        /** What [file] is, null for no archive at all. Throws [NotASubmission] for an archive that cannot be read here. */
+        /** What [file] is, null for no archive at all. Throws [BadArchive] for an archive that cannot be read here. */
         fun of(file: Path): Archive? {
             val head = file.inputStream().use { it.readNBytes(ENOUGH) }.toString(Charsets.ISO_8859_1)
             return when {
                 head.startsWith("PK\u0003\u0004") || head.startsWith("PK\u0005\u0006") -> ZIP
                 head.startsWith("\u001f\u008b") -> TAR_GZ
                 head.startsWith("ustar", USTAR_AT) -> TAR
-                head.startsWith("7z\u00bc\u00af") -> throw NotASubmission("${file.name} is a 7-Zip archive: pack it as zip or tar.gz.")
-                head.startsWith("Rar!") -> throw NotASubmission("${file.name} is a RAR archive: pack it as zip or tar.gz.")
+                head.startsWith("7z\u00bc\u00af") -> throw BadArchive("${file.name} is a 7-Zip archive: pack it as zip or tar.gz.")
+                head.startsWith("Rar!") -> throw BadArchive("${file.name} is a RAR archive: pack it as zip or tar.gz.")
                 else -> null
             }
         }

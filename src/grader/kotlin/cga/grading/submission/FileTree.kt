@@ -39,7 +39,10 @@ internal class FileTree(
                     return FileVisitResult.CONTINUE
                 }
 
-                override fun visitFileFailed(file: Path, e: IOException) = FileVisitResult.CONTINUE
+                override fun visitFileFailed(file: Path, e: IOException): FileVisitResult {
+                    Unreadable.require(e)
+                    return FileVisitResult.CONTINUE
+                }
             },
         )
         files = foundFiles.sorted()
@@ -54,17 +57,20 @@ internal class FileTree(
         try {
             val bytes = Files.newInputStream(file).use { it.readNBytes(LARGEST_TEXT + 1) }
             if (bytes.size > LARGEST_TEXT) null else bytes.decodeToString().removePrefix("\uFEFF")
-        } catch (_: IOException) {
+        } catch (e: IOException) {
+            Unreadable.require(e)
             null
         }
 
     private fun isLeftOver(folder: Path) = folder.name in LEFT_OVER || (folder.name == "test" && folder.parent.name == "src")
 
-    private companion object {
-        const val DEEPEST = 24
-        const val MOST_FILES = 50_000
-        const val LARGEST_TEXT = 1 shl 20
+    companion object {
+        private const val DEEPEST = 24
+        private const val MOST_FILES = 50_000
+        private const val LARGEST_TEXT = 1 shl 20
 
-        val LEFT_OVER = setOf("build", "out", "target", "bin", ".gradle", ".git", ".kotlin", "__MACOSX", "node_modules", "androidTest")
+        /** Folders that no program of the course looks into. */
+        val TOOLS = setOf(".gradle", ".git", ".kotlin", "__MACOSX", "node_modules")
+        private val LEFT_OVER = TOOLS + setOf("build", "out", "target", "bin", "androidTest")
     }
 }

@@ -7,7 +7,6 @@ import java.nio.file.Path
 
 /** Models, materials and textures that a submission names, as paths below the folder it is started in. */
 internal object NamedFiles {
-    private val LITERAL_OR_COMMENT = Regex(""""((?:\\.|[^"\\\n])*)"|//[^\n]*|/\*[\s\S]*?\*/""")
     private val TYPES = setOf("obj", "mtl", "png", "jpg", "jpeg", "bmp", "tga", "gif", "psd", "hdr")
     private val SHADERS = setOf("glsl", "vert", "frag", "vs", "fs", "vsh", "fsh")
     private const val DEEPEST = 20
@@ -21,8 +20,9 @@ internal object NamedFiles {
      */
     fun inSources(sources: List<SourceFile>): List<String> =
         sources
-            .flatMap { LITERAL_OR_COMMENT.findAll(it.text) }
-            .map { it.groupValues[1].replace("\\\\", "/").replace('\\', '/') }
+            .flatMap { it.literals }
+            .filter { it.length < LONGEST }
+            .map { it.replace("\\\\", "/").replace('\\', '/') }
             .filter { '$' !in it && '/' in it && extension(it) in TYPES + SHADERS }
             .mapNotNull(::plain)
             .distinct()
@@ -52,9 +52,8 @@ internal object NamedFiles {
             Files.lines(file, Charsets.ISO_8859_1).use { lines ->
                 lines
                     .limit(MOST_LINES)
-                    .map(String::trim)
-                    .filter { it.startsWith(keyword) && it.length < LONGEST }
-                    .map { it.dropWhile { c -> !c.isWhitespace() }.trim() }
+                    .filter { it.length < LONGEST && it.trimStart().startsWith(keyword) }
+                    .map { it.trim().dropWhile { c -> !c.isWhitespace() }.trim() }
                     .distinct()
                     .limit(MOST_NAMES.toLong())
                     .toList()
@@ -69,7 +68,8 @@ internal object NamedFiles {
     /** [name] without `.`, null for what leads elsewhere or is no path. */
     private fun plain(name: String): String? {
         val parts = name.split('/').filter { it.isNotEmpty() && it != "." }
-        val isSound = !name.matches(Regex("^([A-Za-z]:|/).*")) && ".." !in parts && parts.size in 1..DEEPEST && name.length < LONGEST
+        val isAbsolute = name.startsWith('/') || name.getOrNull(1) == ':'
+        val isSound = !isAbsolute && ".." !in parts && parts.size in 1..DEEPEST && name.length < LONGEST
         return try {
             if (isSound) parts.joinToString("/").also { Path.of(it) } else null
         } catch (_: InvalidPathException) {

@@ -36,8 +36,11 @@ internal class ProjectFinder(
                     "${label(left.folder)} holds another copy of the project, which is not graded; ${label(best.folder)} is."
             }
         }
-        // What lies in no package of the course but inside the project, such as helpers in a source folder of their own.
-        val inside = others.filter { it.halves.isEmpty() && it.folder.startsWith(best.folder) && !it.isBackup && best.folder != tree.root }
+        // What lies in no package of the course but inside the project, such as helpers in a source folder of their own; no other program.
+        val inside = others.filter { other ->
+            val isProgram = best.hasMain && other.sources.any { it.mainClass != null }
+            other.halves.isEmpty() && other.folder.startsWith(best.folder) && !other.isBackup && !isProgram
+        }
         return (listOf(best) + modules + inside).flatMap { it.sources }.sortedBy { it.name }
     }
 

@@ -1,6 +1,8 @@
 package cga.grading.submission
 
 import cga.framework.InputError
+import cga.grading.prepared.Edition
+import cga.grading.prepared.Kind
 import java.nio.file.Files
 import java.nio.file.Path
 import kotlin.io.path.isDirectory
@@ -8,11 +10,9 @@ import kotlin.io.path.isRegularFile
 import kotlin.io.path.name
 
 /** Recognises submissions. Reads only; runs nothing of theirs. */
-public object SubmissionReader {
+internal object SubmissionReader {
     /** At the root of a starter, with its version in the first line. */
-    public const val STARTER_MARKER: String = ".cga-starter"
-
-    private val EXTENSION = Regex("""(?i)\.(?:zip|tar|tgz|tar\.gz|7z|rar)$""")
+    const val STARTER_MARKER: String = ".cga-starter"
 
     /**
      * The submission in the folder or archive [given]; an archive is unpacked to [unpackTo], which must not exist yet.
@@ -21,7 +21,7 @@ public object SubmissionReader {
      *
      * Throws [NotASubmission] when it is none, and other [InputError]s when it cannot be read.
      */
-    public fun read(given: Path, unpackTo: Path, edition: Edition? = null): Submission {
+    fun read(given: Path, unpackTo: Path, edition: Edition? = null): Submission {
         val notes = mutableListOf<String>()
         val root = when {
             given.isDirectory() -> given.toRealPath()
@@ -29,7 +29,7 @@ public object SubmissionReader {
             else -> throw InputError("$given does not exist: name the folder or the archive of a submission.")
         }
         return try {
-            recognise(given.toAbsolutePath().normalize().name.replace(EXTENSION, ""), FileTree(root), edition, notes)
+            recognise(FileTree(root), edition, notes)
         } catch (e: NotASubmission) {
             throw NotASubmission("$given is not a submission: ${e.message}" + notes.joinToString("") { " $it" })
         }
@@ -46,25 +46,24 @@ public object SubmissionReader {
         return unpacked.toRealPath()
     }
 
-    private fun recognise(name: String, tree: FileTree, edition: Edition?, notes: MutableList<String>): Submission {
+    private fun recognise(tree: FileTree, edition: Edition?, notes: MutableList<String>): Submission {
         val marker = tree.files.filter { it.name == STARTER_MARKER }.minByOrNull { it.nameCount }
         val finder = ProjectFinder(tree)
         val sources = finder.sources()
         notes += finder.notes
         val project = sources.first { it.packageName.startsWith("cga.") }.project
-        val detected = edition?.let { DetectedEdition(it, listOf("asked for")) } ?: Edition.detect(sources)
+        val detected = edition?.let { DetectedEdition(it, listOf("asked for")) } ?: DetectedEdition.of(sources)
         val buildFiles = buildFiles(tree, project)
         return Submission(
-            name = name,
-            root = tree.root,
+            tree = tree,
             kind = if (marker == null) Kind.COURSE else Kind.STARTER,
             sources = sources,
             workingDirectory = AssetsFinder.find(tree, project) ?: project.also { notes += "There is no folder assets." },
             mainClass = mainClass(sources, notes),
-            versions = Versions.find(buildFiles),
+            kotlin = Versions.kotlin(buildFiles),
             edition = detected,
             notes = notes,
-            libraries = NamedLibrary.find(Versions.withoutComments(buildFiles).values),
+            libraries = LibraryFinder.find(Versions.withoutComments(buildFiles).values),
         )
     }
 

@@ -1,9 +1,11 @@
 package cga.grading.submission
 
+import java.io.FilterInputStream
 import java.io.IOException
 import java.io.InputStream
 import java.nio.file.Files
 import java.nio.file.Path
+import java.nio.file.StandardOpenOption.CREATE_NEW
 import java.util.Locale
 
 /** What an archive's entry is; only files and folders are unpacked. */
@@ -20,9 +22,9 @@ internal class Unpacked(
     private var bytes = 0L
     private var skipped = 0
 
-    /** Writes one entry, or skips it with a note. Throws [NotASubmission] when the archive as a whole asks for too much. */
+    /** Writes one entry, or skips it with a note. Throws [BadArchive] when the archive as a whole asks for too much. */
     fun add(name: String, kind: EntryKind, content: InputStream) {
-        if (++entries > MOST_ENTRIES) throw NotASubmission("the archive has more than $MOST_ENTRIES entries. Hand in the project only.")
+        if (++entries > MOST_ENTRIES) throw BadArchive("the archive has more than $MOST_ENTRIES entries. Hand in the project only.")
         val parts = name.replace('\\', '/').split('/').filter { it.isNotEmpty() && it != "." }
         val fault = fault(name, parts, kind)
         when {
@@ -31,7 +33,7 @@ internal class Unpacked(
             kind == EntryKind.FOLDER -> attempt(name) { Files.createDirectories(place(parts)) }
             else -> attempt(name) {
                 Files.createDirectories(place(parts).parent)
-                write(place(parts), content)
+                Files.newOutputStream(place(parts), CREATE_NEW).use { content.transferTo(it) }
             }
         }
     }
@@ -42,7 +44,7 @@ internal class Unpacked(
         when {
             kind == EntryKind.LINK -> "it is a link"
             kind == EntryKind.DEVICE -> "it is a device or a pipe"
-            name.startsWith('/') || name.startsWith('\\') || DRIVE.containsMatchIn(name) -> "its path is absolute"
+            name.startsWith('/') || name.startsWith('\\') || name.getOrNull(1) == ':' -> "its path is absolute"
             ".." in parts -> "its path leads out of the archive"
             name.any { it.code < ' '.code || it.code == DELETE } -> "its name has control characters"
             parts.any { it.toByteArray().size > LONGEST_NAME } || name.length > LONGEST_PATH -> "its name is too long"
@@ -55,26 +57,27 @@ internal class Unpacked(
         try {
             action()
         } catch (e: IOException) {
+            Room.require(folder, e)
             skip(name, "it cannot be written: ${e.message}")
         }
 
-    private fun write(target: Path, content: InputStream) {
-        Files.newOutputStream(target, java.nio.file.StandardOpenOption.CREATE_NEW).use { out ->
-            val buffer = ByteArray(BUFFER)
-            while (true) {
-                val count = content.read(buffer)
-                if (count < 0) break
-                bytes += count
-                if (bytes >
-                    MOST_BYTES
-                ) {
-                    throw NotASubmission("the archive unpacks to more than ${MOST_BYTES shr 20} MiB. Hand in the project only.")
-                }
-                if (bytes > FREE_BYTES && bytes / archiveBytes.coerceAtLeast(1) > MOST_RATIO) {
-                    throw NotASubmission("the archive unpacks to more than $MOST_RATIO times its size: that is no project.")
-                }
-                out.write(buffer, 0, count)
-            }
+    /** [stream], with what is read of it counted. Throws [BadArchive] while it is read when that is too much. */
+    fun counted(stream: InputStream): InputStream =
+        object : FilterInputStream(stream) {
+            override fun read(): Int = ByteArray(1).let { if (read(it, 0, 1) < 0) -1 else it[0].toInt() and 0xff }
+
+            override fun read(buffer: ByteArray, offset: Int, length: Int): Int =
+                super.read(buffer, offset, length).also { if (it > 0) count(it) }
+
+            // What would be skipped unread would not be counted.
+            override fun skip(length: Long): Long = read(ByteArray(minOf(length, BUFFER.toLong()).toInt())).coerceAtLeast(0).toLong()
+        }
+
+    private fun count(read: Int) {
+        bytes += read
+        if (bytes > MOST_BYTES) throw BadArchive("the archive unpacks to more than ${MOST_BYTES shr 20} MiB. Hand in the project only.")
+        if (bytes > FREE_BYTES && bytes / archiveBytes.coerceAtLeast(1) > MOST_RATIO) {
+            throw BadArchive("the archive unpacks to more than $MOST_RATIO times its size: that is no project.")
         }
     }
 
@@ -96,7 +99,6 @@ internal class Unpacked(
         const val NOTED_LENGTH = 100
         const val BUFFER = 1 shl 16
         const val DELETE = 0x7f
-        val DRIVE = Regex("^[A-Za-z]:")
         val UNWANTED = setOf("__MACOSX", ".DS_Store", ".git", ".gradle")
     }
 }

@@ -1,6 +1,6 @@
 package cga.grading.compile
 
-import cga.grading.submission.NamedLibrary
+import cga.grading.prepared.NamedLibrary
 import cga.testing.Slow
 import com.sun.net.httpserver.HttpServer
 import org.junit.jupiter.api.AfterEach

@@ -7,7 +7,6 @@ import cga.grading.sandbox.Outcome
 import cga.grading.sandbox.Sandbox
 import cga.grading.sandbox.Scratch
 import cga.grading.submission.MadeUp
-import cga.grading.submission.SubmissionReader
 import cga.testing.Slow
 import org.junit.jupiter.api.AfterEach
 import org.junit.jupiter.api.Assertions.assertArrayEquals
@@ -15,17 +14,13 @@ import org.junit.jupiter.api.Assertions.assertEquals
 import org.junit.jupiter.api.Assertions.assertFalse
 import org.junit.jupiter.api.Assertions.assertTrue
 import org.junit.jupiter.api.Test
-import java.io.ByteArrayOutputStream
 import java.io.File
 import java.nio.file.Path
-import java.util.zip.ZipEntry
-import java.util.zip.ZipOutputStream
+import java.util.zip.ZipFile
 import kotlin.io.path.createDirectories
 import kotlin.io.path.createSymbolicLinkPointingTo
 import kotlin.io.path.createTempDirectory
 import kotlin.io.path.exists
-import kotlin.io.path.name
-import kotlin.io.path.writeBytes
 import kotlin.io.path.writeText
 
 /** With the real compiler in the real sandbox, but where the compiler itself is played by somebody who lies. */
@@ -41,17 +36,17 @@ class SharedCompilerTest {
     private fun shared(sandbox: Sandbox) = SharedCompiler(sandbox, compiler, OWN, emptyList())
 
     private fun sources(text: String): List<Path> {
-        val kotlin = folder.resolve("sources${folders++}/kotlin").createDirectories()
-        kotlin.resolve("A.kt").writeText(text)
-        return listOf(kotlin)
+        val source = folder.resolve("sources${folders++}/0000").createDirectories().resolve("A.kt")
+        return listOf(source.apply { writeText(text) })
     }
 
     private fun empty() = folder.resolve("classes${folders++}").createDirectories()
 
-    private fun classes(folder: Path) =
-        folder.toFile().walk().filter { it.isFile && it.extension == "class" }.associate {
-            it.relativeTo(folder.toFile()).path to
-                it.readBytes()
+    private fun jar() = empty().resolve("classes.jar")
+
+    private fun classes(jar: Path) =
+        ZipFile(jar.toFile()).use { zip ->
+            zip.entries().asSequence().filter { it.name.endsWith(".class") }.associate { it.name to zip.getInputStream(it).readBytes() }
         }
 
     @Test
@@ -62,12 +57,12 @@ class SharedCompilerTest {
         shared(counting).use { shared ->
             for (text in listOf(FIRST, SECOND)) {
                 val sources = sources(text)
-                val together = empty()
+                val together = jar()
                 assertTrue(shared.compiles(sources, together))
-                val alone = folder.resolve("alone${folders++}").createDirectories()
-                val job = Job(compiler.command(sources, emptyList(), alone.resolve("classes")), alone, compiler.readable + sources)
+                val alone = empty()
+                val job = Job(compiler.command(sources, emptyList(), alone.resolve("a.jar")), alone, compiler.readable + sources)
                 assertTrue(real.run(job).isSuccess)
-                val (expected, made) = classes(alone.resolve("classes")) to classes(together)
+                val (expected, made) = classes(alone.resolve("a.jar")) to classes(together)
                 assertEquals(expected.keys, made.keys)
                 for ((name, bytes) in expected) assertArrayEquals(bytes, made.getValue(name), name)
             }
@@ -78,9 +73,9 @@ class SharedCompilerTest {
     @Test
     fun `sources with errors get no, and the next ones their yes`() {
         shared(Hostile.confined()).use { shared ->
-            assertFalse(shared.compiles(sources("class A : Missing()"), empty()))
+            assertFalse(shared.compiles(sources("class A : Missing()"), jar()))
             assertTrue(shared.isUsable)
-            assertTrue(shared.compiles(sources(FIRST), empty()))
+            assertTrue(shared.compiles(sources(FIRST), jar()))
         }
     }
 
@@ -90,8 +85,8 @@ class SharedCompilerTest {
         val starts = ArrayList<Job>()
         val real = Hostile.confined()
         SharedCompilers { shared(Sandbox { job -> real.run(job.also { starts += it }) }) }.use { compilers ->
-            assertFalse(compilers.compiles(sources(deep), empty()))
-            assertTrue(compilers.compiles(sources(SECOND), empty()))
+            assertFalse(compilers.compiles(sources(deep), jar()))
+            assertTrue(compilers.compiles(sources(SECOND), jar()))
         }
         assertEquals(2, starts.size)
         assertTrue(starts.none { it.scratch.exists() }) { "left behind" }
@@ -100,55 +95,26 @@ class SharedCompilerTest {
     @Test
     fun `a compiler that does not start says no`() {
         shared { Outcome(End.Exited(1), "", "", 0.0, 0.0, 0) }.use { shared ->
-            assertFalse(shared.compiles(sources(FIRST), empty()))
+            assertFalse(shared.compiles(sources(FIRST), jar()))
             assertFalse(shared.isUsable)
         }
     }
 
-    /** What becomes of a jar that [write] puts where the compiler's is expected. */
-    private fun answered(classes: Path, write: (Path) -> Unit): Boolean {
+    @Test
+    fun `a link in place of the classes is not followed`() {
+        val secret = folder.resolve("secret").apply { writeText("secret") }
         val liar = Sandbox { job ->
             val files = SharedFiles(job.scratch)
             files.ready.writeText("")
             while (!files.request(0).exists()) Thread.sleep(1)
-            write(files.jar(0))
+            files.jar(0).createSymbolicLinkPointingTo(secret)
             files.answer(0).writeText("OK")
             Thread.sleep(Long.MAX_VALUE)
             error("never")
         }
-        return shared(liar).use { it.compiles(sources(FIRST), classes) }
-    }
-
-    private fun jar(vararg names: String): ByteArray {
-        val bytes = ByteArrayOutputStream()
-        ZipOutputStream(bytes).use { zip -> names.forEach { zip.run { putNextEntry(ZipEntry(it)) }.also { zip.write(1) } } }
-        return bytes.toByteArray()
-    }
-
-    @Test
-    fun `a link in place of the classes is not followed`() {
-        val secret = folder.resolve("secret").apply { writeBytes(jar("a/B.class")) }
-        val classes = empty()
-        assertFalse(answered(classes) { it.createSymbolicLinkPointingTo(secret) })
-        assertEquals(emptyList<String>(), classes.toFile().list().orEmpty().toList())
-    }
-
-    @Test
-    fun `only what can be a class is unpacked, and nothing beside the folder`() {
-        val classes = empty()
-        val names = arrayOf("../outside.class", "/tmp/absolute.class", "a/../../b.class", "a\\b.class", "run.sh", "a/B\$C.class")
-        assertTrue(answered(classes) { it.writeBytes(jar(*names)) })
-        val written = folder
-            .toFile()
-            .walk()
-            .filter { it.isFile && it.extension != "kt" }
-            .map {
-                it
-                    .relativeTo(
-                        folder.toFile(),
-                    ).path
-            }.toList()
-        assertEquals(listOf("${classes.name}/a/B\$C.class"), written)
+        val jar = jar()
+        assertFalse(shared(liar).use { it.compiles(sources(FIRST), jar) })
+        assertFalse(jar.exists())
     }
 
     @Test
@@ -158,15 +124,14 @@ class SharedCompilerTest {
         val user = "src/main/kotlin/cga/exercise/K.kt" to "package cga.exercise\nval two = J().one() + 1\n"
         val build = "build.gradle" to "plugins { id 'org.jetbrains.kotlin.jvm' version '${CompilerCache.NEWEST}' }"
         for (files in listOf(MadeUp.FILES + java + user, MadeUp.FILES + broken + build)) {
-            val given = MadeUp.write(folder.resolve("submission${folders++}"), files)
-            val submission = SubmissionReader.read(given, folder.resolve("unused"))
+            val tree = MadeUp.prepare(empty(), files)
             val (alone, shared) = listOf(null, OWN).map { own ->
                 val cache = CompilerCache(Path.of("build/compilers").toAbsolutePath())
-                SubmissionCompiler(Hostile.confined(), cache, emptyList(), shared = own).use { it.compile(submission, empty()) }
+                SubmissionCompiler(Hostile.confined(), cache, emptyList(), shared = own).use { it.compile(tree, tree.files(), empty()) }
             }
             assertEquals(alone.errors, shared.errors)
             assertEquals(alone.compiler to alone.notes, shared.compiler to shared.notes)
-            assertEquals(alone.classes?.let(::classes)?.keys, shared.classes?.let(::classes)?.keys)
+            assertEquals(alone.classes?.first()?.let(::classes)?.keys, shared.classes?.first()?.let(::classes)?.keys)
         }
     }
 

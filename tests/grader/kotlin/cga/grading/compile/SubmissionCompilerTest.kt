@@ -5,7 +5,6 @@ import cga.grading.sandbox.JavaCommand
 import cga.grading.sandbox.Job
 import cga.grading.sandbox.Scratch
 import cga.grading.submission.MadeUp
-import cga.grading.submission.SubmissionReader
 import cga.testing.Slow
 import org.junit.jupiter.api.AfterEach
 import org.junit.jupiter.api.Assertions.assertEquals
@@ -27,19 +26,15 @@ class SubmissionCompilerTest {
     @AfterEach
     fun close() = Scratch.delete(folder)
 
-    private fun compile(files: Map<String, String>, replacements: Map<String, String> = emptyMap()): CompileResult {
-        val submission = SubmissionReader.read(MadeUp.write(folder.resolve("submission"), files), folder.resolve("unused"))
-        return SubmissionCompiler(
-            sandbox,
-            CACHE,
-            libraries,
-        ).compile(submission, folder.resolve("scratch").createDirectories(), replacements)
+    private fun compile(files: Map<String, String>, cache: CompilerCache = CACHE, window: String = MadeUp.WINDOW): CompileResult {
+        val tree = MadeUp.prepare(folder, files, window)
+        return SubmissionCompiler(sandbox, cache, libraries).compile(tree, tree.files(), folder.resolve("scratch").createDirectories())
     }
 
     /** What the compiled submission prints. */
     private fun run(result: CompileResult, mainClass: String): String {
         val classes = result.classes ?: error("${result.errors}")
-        val classPath = listOf(classes) + result.runtime + libraries
+        val classPath = classes + result.runtime + libraries
         val outcome = sandbox.run(
             Job(JavaCommand(classPath, mainClass).command(), folder.resolve("run").createDirectories(), readOnly = classPath),
         )
@@ -60,7 +55,7 @@ class SubmissionCompilerTest {
             "src/main/java/cga/exercise/util/Greeter.java" to java,
             "src/main/kotlin/cga/exercise/Kt.kt" to kotlin,
         )
-        val result = compile(files, mapOf("cga.framework.GameWindow" to standIn))
+        val result = compile(files, window = standIn)
         assertEquals(emptyList<CompileError>(), result.errors)
         assertEquals("Kotlin ${CompilerCache.NEWEST}, language level ${CompilerCache.LOWEST_LEVEL}", result.compiler)
         assertEquals(emptyList<String>(), result.notes)
@@ -95,9 +90,7 @@ class SubmissionCompilerTest {
     fun `without the named compiler the newest one's errors stand, and the reason is told`() {
         val broken = "src/main/kotlin/cga/exercise/game/Scene.kt" to MadeUp.SCENE.replace("println(", "missing(")
         val files = MadeUp.FILES + broken + ("build.gradle" to "kotlin_version = '99.0.1'")
-        val submission = SubmissionReader.read(MadeUp.write(folder.resolve("submission"), files), folder.resolve("unused"))
-        val offline = CompilerCache(CACHE_FOLDER, Repository(folder.resolve("repository"), null))
-        val result = SubmissionCompiler(sandbox, offline, libraries).compile(submission, folder.resolve("scratch").createDirectories())
+        val result = compile(files, CompilerCache(CACHE_FOLDER, Repository(folder.resolve("repository"), null)))
         assertEquals(listOf(3), result.errors.map { it.line })
         assertTrue(result.notes.any { "No other compiler could be tried" in it && "offline" in it }) { "${result.notes}" }
     }

@@ -1,8 +1,8 @@
 package cga.grading.corpus
 
-import cga.grading.capture.StandIn
 import cga.grading.capture.WorkerFiles
 import cga.grading.capture.WorkerRun
+import cga.grading.submission.StandIn
 import java.nio.file.Path
 import java.util.concurrent.TimeUnit
 import kotlin.io.path.createDirectories

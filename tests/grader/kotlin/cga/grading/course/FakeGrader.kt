@@ -10,6 +10,7 @@ import cga.grading.findings.Measured
 import cga.grading.findings.Mistake
 import cga.grading.findings.Outcome
 import cga.grading.findings.Refused
+import cga.grading.findings.RunFacts
 import cga.grading.report.GradedSubmission
 import cga.grading.report.Language
 import cga.grading.rubric.Rubric
@@ -41,6 +42,7 @@ internal class FakeGrader(
         return when (val what = submission.resolve("what").readText()) {
             "right" -> Graded(right)
             "phong" -> Graded(Findings(checks, listOf(Found(Mistake.PHONG_LEFT, 0.0, 0.1, "")), emptyList(), emptyList(), emptyList()))
+            "unconfined" -> Graded(right, RunFacts(isConfined = false))
             "loops" -> Refused(FailureReason.TIMED_OUT, "60 s")
             "throws" -> error("the grader broke")
             "overflows" -> overflow(0)

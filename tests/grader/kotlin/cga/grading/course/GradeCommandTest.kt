@@ -9,6 +9,7 @@ import com.github.ajalt.clikt.core.parse
 import com.github.ajalt.clikt.testing.CliktCommandTestResult
 import com.github.ajalt.clikt.testing.test
 import org.junit.jupiter.api.Assertions.assertEquals
+import org.junit.jupiter.api.Assertions.assertFalse
 import org.junit.jupiter.api.Assertions.assertTrue
 import org.junit.jupiter.api.Test
 import org.junit.jupiter.api.assertThrows
@@ -87,6 +88,20 @@ class GradeCommandTest {
         val result = grade(*inputs("a" to "right"), "--out", out, "--gradescope", "$file", pipeline = none)
         assertEquals(1, result.statusCode)
         assertTrue("bubblewrap" in file.readText() && "\"score\":0.0" in file.readText()) { file.readText() }
+    }
+
+    @Test
+    fun `doing without a sandbox is said before anything is graded, and over all results`() {
+        val result = grade(*inputs("a" to "unconfined"), "--out", out, "--unsafe-no-sandbox")
+        assertTrue(result.stderr.startsWith("warning: --unsafe-no-sandbox")) { result.stderr }
+        for (name in listOf("index.html", "a/report.html", "a/results.json")) {
+            assertTrue("without a sandbox" in folder.resolve("out/$name").readText(), name)
+        }
+        assertTrue("property name=\"sandbox\" value=\"none\"" in folder.resolve("out/junit.xml").readText())
+        val (header, row) = folder.resolve("out/grades.csv").readLines().map { it.split(',') }
+        assertEquals("no", row[header.indexOf("sandbox")])
+        grade(*inputs("a" to "right"), "--out", "$out-2")
+        assertFalse("without a sandbox" in folder.resolve("out-2/index.html").readText())
     }
 
     @Test

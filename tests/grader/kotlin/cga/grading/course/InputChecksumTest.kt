@@ -4,6 +4,7 @@ import org.junit.jupiter.api.Assertions.assertEquals
 import org.junit.jupiter.api.Assertions.assertNotEquals
 import org.junit.jupiter.api.Test
 import org.junit.jupiter.api.io.TempDir
+import java.io.RandomAccessFile
 import java.nio.file.Files
 import java.nio.file.Path
 import kotlin.io.path.createDirectories
@@ -52,6 +53,17 @@ class InputChecksumTest {
         ProcessBuilder("mkfifo", "${folder.resolve("a/pipe")}").start().waitFor()
         val first = sum()
         Files.delete(endless)
+        assertNotEquals(first, sum())
+    }
+
+    @Test
+    fun `of what is larger than any project only the size counts`() {
+        write("x", "1")
+        RandomAccessFile(folder.resolve("a/sparse").toFile(), "rw").use { it.setLength(30L shl 30) }
+        val first = sum()
+        RandomAccessFile(folder.resolve("a/sparse").toFile(), "rw").use { it.setLength(31L shl 30) }
+        assertNotEquals(first, sum())
+        write("x", "2")
         assertNotEquals(first, sum())
     }
 

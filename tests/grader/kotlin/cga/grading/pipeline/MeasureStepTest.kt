@@ -1,13 +1,12 @@
 package cga.grading.pipeline
 
 import cga.grading.findings.FailureReason
+import cga.grading.prepared.Edition
 import cga.grading.sandbox.End
 import cga.grading.sandbox.Limit
 import cga.grading.sandbox.Limits
 import cga.grading.sandbox.Outcome
 import cga.grading.sandbox.Sandbox
-import cga.grading.submission.MadeUp
-import cga.grading.submission.SubmissionReader
 import cga.testing.Slow
 import org.junit.jupiter.api.Assertions.assertEquals
 import org.junit.jupiter.api.Assertions.assertTrue
@@ -29,7 +28,6 @@ class MeasureStepTest {
     private val tries = ArrayList<Path>()
 
     private fun stopped(end: End, errors: String = "", next: End = end): Stopped {
-        val submission = SubmissionReader.read(MadeUp.write(folder.resolve("submission")), folder.resolve("unused"))
         val scratch = folder.resolve("scratch").createDirectories()
         val sandbox = Sandbox { job ->
             tries.add(job.scratch)
@@ -38,7 +36,7 @@ class MeasureStepTest {
             Outcome(if (tries.size == 1) end else next, "", errors, 1.0, 1.0, 1)
         }
         val step = MeasureStep(sandbox, programs, Limits())
-        return assertThrows { step.measure(submission, folder.resolve("capture.bin"), scratch, folder, Run()) }
+        return assertThrows { step.measure(Edition.ALL.first(), folder.resolve("capture.bin"), scratch, folder, Run()) }
     }
 
     @Test

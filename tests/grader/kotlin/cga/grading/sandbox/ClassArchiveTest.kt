@@ -29,7 +29,7 @@ class ClassArchiveTest {
         folder.toFile().deleteRecursively()
     }
 
-    private fun archive() = ClassArchive.of(folder, "worker", libraries, WorkerFiles.FLAGS, listOf("org/joml/")) { listOf(MAIN) }
+    private fun archive() = ClassArchive.of(folder, "worker", libraries, WorkerFiles.FLAGS, listOf("org/joml/"), listOf { listOf(MAIN) })
 
     /** Where the JVM of a worker that cannot start anything takes its classes from. */
     private fun sources(archive: ClassArchive): List<String> {
@@ -62,7 +62,7 @@ class ClassArchiveTest {
 
     @Test
     fun `there is none where classes are in folders`() {
-        assertTrue(ClassArchive.of(folder, "folders", listOf(folder), emptyList(), emptyList()) { listOf(MAIN) }.options.isEmpty())
+        assertTrue(ClassArchive.of(folder, "folders", listOf(folder), emptyList(), emptyList(), listOf { listOf(MAIN) }).options.isEmpty())
     }
 
     private companion object {

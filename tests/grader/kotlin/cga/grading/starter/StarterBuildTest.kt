@@ -1,7 +1,7 @@
 package cga.grading.starter
 
-import cga.grading.submission.Kind
-import cga.grading.submission.NamedLibrary
+import cga.grading.prepared.Kind
+import cga.grading.prepared.NamedLibrary
 import cga.grading.submission.Submission
 import cga.grading.submission.SubmissionReader
 import cga.testing.Need
@@ -88,8 +88,7 @@ class StarterBuildTest {
     private fun assertRecognised(): Submission {
         val submission = SubmissionReader.read(starter, folder.resolve("unpacked"))
         assertEquals(Kind.STARTER, submission.kind)
-        val versions = submission.versions
-        assertEquals(listOf("kotlin", "lwjgl", "joml").map(::version), listOf(versions.kotlin, versions.lwjgl, versions.joml))
+        assertEquals(version("kotlin"), submission.kotlin)
         return submission
     }
 

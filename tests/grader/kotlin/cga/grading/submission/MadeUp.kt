@@ -1,6 +1,8 @@
 package cga.grading.submission
 
+import cga.grading.prepared.PreparedTree
 import java.nio.file.Path
+import kotlin.io.path.createDirectories
 import kotlin.io.path.createParentDirectories
 import kotlin.io.path.writeText
 
@@ -28,6 +30,13 @@ object MadeUp {
         "build.gradle" to
             "plugins { id 'org.jetbrains.kotlin.jvm' version '1.3.72' }\nproject.ext.lwjglVersion = \"3.2.3\"\nproject.ext.jomlVersion = '1.9.24'\n",
     )
+
+    /** The plain tree that is made of [files], below [folder], with [window] as what stands in for theirs. */
+    internal fun prepare(folder: Path, files: Map<String, String> = FILES, window: String = WINDOW): PreparedTree {
+        val target = folder.resolve("tree").createDirectories()
+        Preparation.prepare(write(folder.resolve("handed in"), files), target, null)
+        return PreparedTree.read(target).also { tree -> tree.files().filterKeys { it.isOurs }.values.single().writeText(window) }
+    }
 
     /** Writes [files] below [folder]. */
     fun write(folder: Path, files: Map<String, String> = FILES): Path {

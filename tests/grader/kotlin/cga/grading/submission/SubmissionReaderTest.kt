@@ -1,6 +1,9 @@
 package cga.grading.submission
 
 import cga.framework.InputError
+import cga.grading.prepared.Edition
+import cga.grading.prepared.Kind
+import cga.grading.prepared.NamedLibrary
 import org.junit.jupiter.api.Assertions.assertEquals
 import org.junit.jupiter.api.Assertions.assertThrows
 import org.junit.jupiter.api.Assertions.assertTrue
@@ -27,7 +30,7 @@ class SubmissionReaderTest {
         assertEquals("cga.exercise.MainKt", submission.mainClass)
         assertEquals(MadeUp.FILES.keys.filter { it.endsWith(".kt") }.sorted(), submission.sources.map { it.name })
         assertEquals(folder.toRealPath(), submission.workingDirectory)
-        assertEquals(listOf("1.3.72", "3.2.3", "1.9.24"), submission.versions.run { listOf(kotlin, lwjgl, joml) })
+        assertEquals("1.3.72", submission.kotlin)
         assertEquals("2021", submission.edition.edition.id)
         assertTrue(submission.edition.evidence.single().startsWith("rotateLocal in src/")) { "${submission.edition.evidence}" }
         assertEquals(emptyList<String>(), submission.notes)
@@ -83,7 +86,7 @@ class SubmissionReaderTest {
     }
 
     @Test
-    fun `versions are read from every kind of build file`() {
+    fun `the version of Kotlin is read from every kind of build file`() {
         val texts = mapOf(
             "build.gradle.kts" to
                 "plugins {\n    // kotlin(\"jvm\") version \"1.0.0\"\n    kotlin(\"jvm\") version \"1.9.22\"\n}\nval lwjglVersion = \"3.3.3\"\n",
@@ -93,8 +96,7 @@ class SubmissionReaderTest {
             "pom.xml" to "<properties><kotlin.version>1.9.22</kotlin.version><lwjgl.version>3.3.3</lwjgl.version></properties>",
         )
         for ((name, text) in texts) {
-            val versions = Versions.find(mapOf(Path.of(name) to text))
-            assertEquals(listOf("1.9.22", "3.3.3", null), listOf(versions.kotlin, versions.lwjgl, versions.joml), name)
+            assertEquals("1.9.22", Versions.kotlin(mapOf(Path.of(name) to text)), name)
         }
     }
 
@@ -126,7 +128,7 @@ class SubmissionReaderTest {
                 "<plugin><groupId>org.jetbrains.kotlin</groupId><artifactId>kotlin-maven-plugin</artifactId><version>2</version></plugin>",
         )
         for ((name, text) in texts) {
-            val found = NamedLibrary.find(Versions.withoutComments(mapOf(Path.of(name) to text)).values)
+            val found = LibraryFinder.find(Versions.withoutComments(mapOf(Path.of(name) to text)).values)
             assertEquals(setOf(gson, openal), found.toSet(), name)
         }
     }

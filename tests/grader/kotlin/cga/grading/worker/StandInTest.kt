@@ -1,7 +1,7 @@
 package cga.grading.worker
 
 import cga.grading.capture.Moment
-import cga.grading.capture.StandIn
+import cga.grading.submission.StandIn
 import cga.testing.Slow
 import org.junit.jupiter.api.Assertions.assertEquals
 import org.junit.jupiter.api.Assertions.assertTrue

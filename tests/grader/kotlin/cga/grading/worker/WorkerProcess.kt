@@ -3,10 +3,10 @@ package cga.grading.worker
 import cga.framework.GameWindow
 import cga.grading.capture.Capture
 import cga.grading.capture.CaptureFile
-import cga.grading.capture.StandIn
 import cga.grading.capture.WorkerFiles
 import cga.grading.capture.WorkerRun
 import cga.grading.corpus.Compiled
+import cga.grading.submission.StandIn
 import cga.testing.projectRoot
 import java.nio.file.FileSystems
 import java.nio.file.Files

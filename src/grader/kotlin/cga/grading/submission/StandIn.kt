@@ -1,4 +1,4 @@
-package cga.grading.capture
+package cga.grading.submission
 
 /**
  * The class that takes the place of a submission's `cga.framework.GameWindow`, as Kotlin source to be compiled with the submission.
@@ -6,9 +6,9 @@ package cga.grading.capture
  * Editions of the course differ in where `MousePosition` is declared and whether `mousePos` is one object that changes or a new one every
  * time; this project's own starter has a few members more. So the source is fitted to the [original] that it replaces.
  */
-public class StandIn(private val original: String?) {
+internal class StandIn(private val original: String?) {
     /** The source. */
-    public fun source(): String {
+    fun source(): String {
         val resource = "/cga/grading/worker/GameWindow.kt"
         val text = StandIn::class.java.getResourceAsStream(resource)?.use { String(it.readAllBytes()) } ?: error("$resource is not there")
         if (original == null) return text
@@ -17,8 +17,8 @@ public class StandIn(private val original: String?) {
 
     private fun withMousePosition(text: String): String =
         when {
-            Regex("""(?m)^[ \t]+(\w+\s+)*class\s+MousePosition\b""").containsMatchIn(original.orEmpty()) -> text
-            Regex("""(?m)^(\w+\s+)*class\s+MousePosition\b""").containsMatchIn(original.orEmpty()) ->
+            Regex("""(?m)^[ \t][\w \t]*\bclass[ \t]++MousePosition\b""").containsMatchIn(original.orEmpty()) -> text
+            Regex("""(?m)^(?:\w[\w \t]*)?\bclass[ \t]++MousePosition\b""").containsMatchIn(original.orEmpty()) ->
                 text.replaced(NESTED, "") + "\n${NESTED.trim()}\n"
             // Named without being declared: it is in a file of its own.
             original.orEmpty().contains("MousePosition") -> text.replaced(NESTED, "")
@@ -41,7 +41,7 @@ public class StandIn(private val original: String?) {
         return if (isStarter) cursor else FIRST_POSITION.find(original.orEmpty())?.value ?: cursor
     }
 
-    private val isStarter get() = Regex("""\)\s*:\s*WindowState\b""").containsMatchIn(original.orEmpty())
+    private val isStarter get() = Regex("""\)\s*+:\s*+WindowState\b""").containsMatchIn(original.orEmpty())
 
     private fun withStarterMembers(text: String): String {
         if (!isStarter) return text
@@ -65,7 +65,7 @@ public class StandIn(private val original: String?) {
     }
 
     private companion object {
-        val FIRST_POSITION = Regex("""\bMousePosition\(\s*-?[\d.]+\s*,\s*-?[\d.]+\s*\)""")
+        val FIRST_POSITION = Regex("""\bMousePosition\(\s*+-?[\d.]++\s*+,\s*+-?[\d.]++\s*+\)""")
         const val NESTED = "    class MousePosition(var xpos: Double, var ypos: Double)\n"
         const val STARTER_MEMBERS =
             """    protected val updateStep: Double

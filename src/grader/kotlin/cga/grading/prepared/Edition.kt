@@ -1,4 +1,4 @@
-package cga.grading.submission
+package cga.grading.prepared
 
 import cga.framework.InputError
 import java.util.Properties
@@ -21,16 +21,11 @@ public class Edition private constructor(
     public val pointBind: String = properties.getValue("bind.point")
     public val spotBind: String = properties.getValue("bind.spot")
 
-    /** What in a source speaks for this edition, each with what it is called. */
-    private val evidence: Map<String, Regex> =
-        properties
-            .stringPropertyNames()
-            .filter { it.startsWith(EVIDENCE) }
-            .sorted()
-            .associate { it.removePrefix(EVIDENCE) to Regex(properties.getValue(it)) }
-
-    private fun evidenceIn(sources: List<SourceFile>): List<String> =
-        evidence.mapNotNull { (what, pattern) -> sources.firstOrNull { pattern.containsMatchIn(it.text) }?.let { "$what in ${it.name}" } }
+    /** What in a source speaks for this edition, as regular expressions, each with what it is called. Only jobs look for it. */
+    internal val evidence: Map<String, String> =
+        properties.stringPropertyNames().filter { it.startsWith(EVIDENCE) }.sorted().associate {
+            it.removePrefix(EVIDENCE) to properties.getValue(it)
+        }
 
     /** The editions that there are. */
     public companion object {
@@ -51,19 +46,9 @@ public class Edition private constructor(
         public fun named(id: String): Edition =
             ALL.firstOrNull { it.id == id } ?: throw InputError("there is no edition $id: choose one of ${ALL.joinToString { it.id }}.")
 
-        /** The edition that most in [sources] speaks for; the sheet's own where nothing does. */
-        public fun detect(sources: List<SourceFile>): DetectedEdition =
-            ALL.map { DetectedEdition(it, it.evidenceIn(sources)) }.maxBy { it.evidence.size }
-
         private fun resource(name: String): Properties? =
             Edition::class.java.getResourceAsStream(name)?.use { stream -> Properties().apply { load(stream.reader()) } }
 
         private fun Properties.getValue(key: String) = getProperty(key) ?: error("an edition's profile lacks $key")
     }
 }
-
-/** An edition and what speaks for it: where in the sources it shows, or that it was asked for. */
-public class DetectedEdition(
-    public val edition: Edition,
-    public val evidence: List<String>,
-)

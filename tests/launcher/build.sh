@@ -23,7 +23,8 @@ check 'a touch is no change' not called mvn
 mkdir "$checkout/build/cga/cooked"
 echo '// changed' >>"$scene/Main.kt"
 cga render
-check 'a changed source rebuilds' called mvn
+check 'a changed source rebuilds' called 'mvn .*'
+check 'without copying the libraries again' called 'mvn .* prepare-package$'
 check 'and what older classes cooked is gone' [ ! -e "$checkout/build/cga/cooked" ]
 check 'and says why' said 'building with Maven (sources changed)'
 

@@ -18,11 +18,15 @@ internal class Token(
     /** The tokens behind the `#` of a directive. */
     fun directive(): List<Token> = GlslTokens.of(text.substringAfter('#'))
 
+    /** A directive with each token behind its `#` as [change] has it. */
+    fun changed(change: (Token) -> Token): Token =
+        Token(kind, text.substringBefore('#') + "#" + directive().text { change(it).text })
+
     /** This token with each word in it, those of a directive too, replaced by what [name] answers. */
     fun renamed(name: (String) -> String): Token =
         when (kind) {
             TokenKind.WORD -> Token(kind, name(text))
-            TokenKind.DIRECTIVE -> Token(kind, text.substringBefore('#') + "#" + directive().text { it.renamed(name).text })
+            TokenKind.DIRECTIVE -> changed { it.renamed(name) }
             else -> this
         }
 }

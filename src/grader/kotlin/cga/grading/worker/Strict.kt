@@ -4,8 +4,9 @@ package cga.grading.worker
 internal class Strict(source: List<Token>) {
     val tokens: List<Token> = hoisted(casts(renamed(source.map { number(directive(it)) })))
 
-    /** `1f` is 1.0. */
+    /** `1f` is 1.0, in macros too. */
     private fun number(token: Token): Token {
+        if (token.kind == TokenKind.DIRECTIVE) return token.changed(::number)
         val digits = token.text.dropLast(1)
         val isSuffixed = token.kind == TokenKind.NUMBER && token.text.last() in "fF" && digits.isNotEmpty() && digits.all { it.isDigit() }
         return if (isSuffixed) Token(token.kind, "$digits.0") else token
@@ -26,10 +27,12 @@ internal class Strict(source: List<Token>) {
     private fun renamed(tokens: List<Token>): List<Token> {
         val used = tokens.filter { it.kind == TokenKind.WORD && it.text in RESERVED }.map { it.text }.toSet()
         if (used.isEmpty()) return tokens
-        val seen = GlobalStatements.of(tokens).filter { statement -> statement.any { it.text in INTERFACE } }.flatten().map { it.text }
+        val seen = GlobalStatements.of(tokens).filter(::isAskedFor).flatten().map { it.text }
         val own = used - seen.toSet()
         return tokens.map { token -> token.renamed { if (it in own) "${it}_own" else it } }
     }
+
+    private fun isAskedFor(statement: List<Token>) = statement.last().isSign(';') && statement.any { it.text in INTERFACE }
 
     /** `(float) x` is float(x). From the end, so that what is cast has been said already. */
     private fun casts(tokens: List<Token>): List<Token> {

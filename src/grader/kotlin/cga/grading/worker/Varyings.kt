@@ -16,8 +16,11 @@ internal class Varyings(
     private val wanted = Varying.declared(this.fragment, "in").associateBy { it.name }
     private val received = wanted.filterKeys { fragmentWords.getValue(it) > 1 }
 
-    /** What the fragment shader reads and the vertex shader does not write. */
-    val missing: Set<String> = (received.keys - sent.keys).filter { it !in vertexWords }.toSet()
+    /** What the fragment shader reads and the vertex shader does not write, neither under its name nor at its location. */
+    val missing: Set<String> =
+        (received - sent.keys)
+            .filter { (name, own) -> name !in vertexWords && (own.location == null || sent.values.none { it.location == own.location }) }
+            .keys
 
     /** The fragment shader with each name that is [missing] replaced by the likest of its type that is not read yet; null where there is none. */
     fun matched(): String? {
@@ -63,6 +66,9 @@ internal class Varying(
     private val others: List<String>,
     private val array: String,
 ) {
+    /** The number that its layout gives it, null where there is none. */
+    val location: String? get() = others.getOrNull(others.indexOf("location") + 2).takeIf { "location" in others }
+
     /** Whether one could have been meant by the other. */
     fun isLike(other: Varying): Boolean = type == other.type && array == other.array && interpolation == other.interpolation
 
@@ -72,11 +78,8 @@ internal class Varying(
     ): String {
         // Older versions want them in this order.
         val layout = others.take(others.indexOf(")") + 1)
-        return (
-            layout + listOfNotNull(
-                interpolation,
-            ) + others.drop(layout.size) + listOf(direction, type, "$name$array;")
-        ).joinToString(" ")
+        val words = layout + listOfNotNull(interpolation) + others.drop(layout.size) + listOf(direction, type, "$name$array;")
+        return words.joinToString(" ")
     }
 
     /** The declaration of a variable of this name with the value 0, where that can be said of its type. */

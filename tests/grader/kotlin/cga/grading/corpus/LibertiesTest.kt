@@ -34,7 +34,6 @@ class LibertiesTest {
             mapOf(
                 "student-cursor-recentred-when-moved" to ALL,
                 "student-cursor-recentred-in-update" to ALL,
-                "glsl-only-some-drivers-suffix" to LESS,
                 "glsl-only-some-drivers-unwritten" to LESS,
             )
     }

@@ -36,6 +36,7 @@ class DialectTest {
 
     @Test
     fun `whole numbers with the suffix of floats are floats`() {
+        assertEquals("#define ONE 1.0\n", said("#define ONE 1f\n"))
         assertEquals("a = 1.0 + 0.0*b1f - 2.f - .5f - 1e2f - 0x1f; // 1f", said("a = 1f + 0F*b1f - 2.f - .5f - 1e2f - 0x1f; // 1f"))
     }
 
@@ -66,6 +67,7 @@ class DialectTest {
     @Test
     fun `reserved names are others, unless they are asked for from outside`() {
         assertEquals("void main() { float input_own = input_own(1); }", said("void main() { float input = input(1); }"))
+        assertEquals("float f(in float filter_own) { return filter_own; }", said("float f(in float filter) { return filter; }"))
         val asked = "uniform vec3 filter; struct L { bool active; }; in vec3 input; void main() { filter; L.active; input; }"
         assertTrue(said(asked).startsWith("#extension"))
         assertTrue(said(asked).endsWith(asked))

@@ -63,4 +63,11 @@ class VaryingsTest {
         val varyings = Varyings("smooth out vec3 n; out vec2 tc;\nout vec3 v;", "in vec3 n; flat in vec2 tc; in vec3 v;")
         assertEquals("out vec3 n; flat out vec2 tc; out vec3 v;", varyings.interpolated().replace(Regex("\\s+"), " "))
     }
+
+    @Test
+    fun `what is matched by its location may have another name`() {
+        val sent = "layout(location = 1) out vec3 toLight; layout(location = 2) out vec3 toSun;"
+        val read = "layout(location = 1) in vec3 l; layout(location = 3) in vec3 s; void main() { l; s; }"
+        assertEquals(setOf("s"), Varyings(sent, read).missing)
+    }
 }

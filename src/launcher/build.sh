@@ -80,13 +80,19 @@ build_part() {
         [ -e "$build/$part.classpath" ] || phase=package
         # Cleaning would take the other parts' jars along.
         set -- mvn -B -DwithoutTests -Dmaven.test.skip=true -Dmaven.clean.skip=true "-Dkotlin.compiler.daemon=$daemon" \
-            -Dkotlin.compiler.daemon.shutdownDelayMs=600000 -pl "src/$part" -am $phase
+            -Dkotlin.compiler.daemon.shutdownDelayMs=600000 -Dkotlin.compiler.incremental=true -pl "src/$part" -am $phase
     fi
-    # Maven's last line need not have an end.
-    { (cd "$home" && "$@" 2>&1 </dev/null) || printf '\n%s\n' 'the build failed'; } | tee "$log" | show_progress
-    ! grep -q -x 'the build failed' "$log" || build_failed
+    [ "$tool" = Gradle ] || begin_incremental
+    run_build "$@"
+    [ "$tool" = Gradle ] || ! forget_outdated || run_build "$@"
     list_classpath
     echo "$sources" >"$stamp"
+}
+
+# run_build COMMAND...: runs it in the checkout, with its log in $log; the launcher ends where it fails. Its last line need not have an end.
+run_build() {
+    { (cd "$home" && "$@" 2>&1 </dev/null) || printf '\n%s\n' 'the build failed'; } | tee "$log" | show_progress
+    ! grep -q -x 'the build failed' "$log" || build_failed
 }
 
 # Our jars are made anew, so that a program that still runs keeps its own, and the models are cooked by the new classes. Another version of a

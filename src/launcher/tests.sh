@@ -24,11 +24,14 @@ run_tests() {
     else
         reports=surefire-reports
         # Maven writes Class#method where Gradle writes Class.method.
-        set -- mvn -B -Dmaven.test.failure.ignore=true test ${fast:+-Dcga.tests=fast} ${pattern:+-Dsurefire.failIfNoSpecifiedTests=false} \
+        set -- mvn -B -Dkotlin.compiler.incremental=true -Dmaven.test.failure.ignore=true test ${fast:+-Dcga.tests=fast} \
+            ${pattern:+-Dsurefire.failIfNoSpecifiedTests=false} \
             ${pattern:+"-Dtest=$(echo "$pattern" | sed 's/\([A-Z][A-Za-z0-9_]*\)\.\([a-z]\)/\1#\2/')"}
     fi
+    [ "$tool" = Gradle ] || compile_tests
     rm -rf target/*/"$reports" build/*/"$reports"
     { "$@" 2>&1 </dev/null || printf '\n%s\n' 'the build failed'; } | tee "$log" | show_progress
+    [ "$tool" = Gradle ] || forget_outdated || :
     # shellcheck source=src/launcher/tests-summary.sh
     . "$home/src/launcher/tests-summary.sh"
     summarize_tests target/*/"$reports" build/*/"$reports"
@@ -36,6 +39,14 @@ run_tests() {
     # Where all tests passed and the build did not, it is the compiler that has something to say.
     [ $passed != 0 ] || ! grep -q -x 'the build failed' "$log" || build_failed
     exit $passed
+}
+
+# What was compiled against an interface that has changed since must not be tested. On a fresh clone there is nothing of the kind.
+compile_tests() {
+    begin_incremental
+    ls -d target/*/kotlin-ic >/dev/null 2>&1 || return 0
+    run_build mvn -B -Dkotlin.compiler.incremental=true test-compile
+    forget_outdated || :
 }
 
 # The grader's guard, which is a test: what it judges is told by variables. Its report is written into build/corpus.

@@ -17,7 +17,7 @@ import kotlin.io.path.name
 import kotlin.io.path.walk
 import kotlin.io.path.writeText
 
-/** Maven compiles what changed only; what is gone must not live on in the class folders. */
+/** For the launcher Maven compiles what changed only; what is gone must not live on in the class folders. */
 @Slow
 class IncrementalBuildTest {
     @Test
@@ -60,7 +60,7 @@ class IncrementalBuildTest {
     private fun compile(folder: Path) {
         val log = folder.resolve("log").toFile()
         val process =
-            ProcessBuilder("mvn", "-B", "-o", "test-compile")
+            ProcessBuilder("mvn", "-B", "-o", "-Dkotlin.compiler.incremental=true", "test-compile")
                 .directory(folder.toFile())
                 .redirectErrorStream(true)
                 .redirectOutput(log)

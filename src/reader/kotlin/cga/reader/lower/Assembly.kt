@@ -35,6 +35,7 @@ internal class Assembly(
             IntArray(kept.size) { kept[it].line },
             Array(kept.size) { kept[it].origin },
             IntArray(kept.size) { at -> kept[at].guard?.let(indices::get) ?: -1 },
+            BooleanArray(kept.size) { kept[it].isLoopTest },
             emitter.initial.toDoubleArray(),
             emitter.sources.toTypedArray<Source?>(),
             emitter.textures,

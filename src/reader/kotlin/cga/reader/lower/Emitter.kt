@@ -21,7 +21,10 @@ internal class Emitted(
     val line: Int,
     val origin: String,
     val guard: Emitted?,
-)
+) {
+    /** Whether it decides if a loop goes on. */
+    var isLoopTest: Boolean = false
+}
 
 /** Takes the instructions of a shader in their order, and hands out cells and labels. */
 internal class Emitter {

@@ -142,7 +142,11 @@ internal class Lowering(private val module: Module) {
             fun label(i: Int) = labels.getValue(operands[i])
             when (instruction.op) {
                 Op.BRANCH -> emitter.jump(label(0))
-                Op.BRANCH_CONDITIONAL -> branches[block.label] = emitter.branch(scope.value(operands[0]).cell, label(1), label(2))
+                Op.BRANCH_CONDITIONAL -> {
+                    val branch = emitter.branch(scope.value(operands[0]).cell, label(1), label(2))
+                    branch.isLoopTest = block.instructions.none { it.op == Op.SELECTION_MERGE }
+                    branches[block.label] = branch
+                }
                 Op.SWITCH -> {
                     val targets = (2 until operands.size step 2).associate { operands[it] to label(it + 1) }
                     branches[block.label] = emitter.switch(scope.value(operands[0]).cell, targets, label(1))

@@ -110,11 +110,11 @@ internal class StandardFunctions(
     private companion object {
         /** By their numbers in the specification. */
         val NAMES = (
-            " round roundEven trunc abs sAbs sign sSign floor ceil fract radians degrees sin cos tan asin acos atan sinh cosh tanh " +
-                "asinh acosh atanh atan2 pow exp log exp2 log2 sqrt inversesqrt determinant inverse modf modfStruct min uMin sMin max uMax sMax " +
-                "clamp clamp clamp mix iMix step smoothstep fma frexp frexpStruct ldexp packSnorm4x8 packUnorm4x8 packSnorm2x16 " +
-                "packUnorm2x16 packHalf2x16 packDouble2x32 unpackSnorm2x16 unpackUnorm2x16 unpackHalf2x16 unpackSnorm4x8 " +
-                "unpackUnorm4x8 unpackDouble2x32 length distance cross normalize faceforward reflect refract"
+            " round roundEven trunc abs sAbs sign sSign floor ceil fract radians degrees sin cos tan asin acos atan sinh cosh " +
+                "tanh asinh acosh atanh atan2 pow exp log exp2 log2 sqrt inversesqrt determinant inverse modf modfStruct min uMin " +
+                "sMin max uMax sMax clamp clamp clamp mix iMix step smoothstep fma frexp frexpStruct ldexp packSnorm4x8 packUnorm4x8 " +
+                "packSnorm2x16 packUnorm2x16 packHalf2x16 packDouble2x32 unpackSnorm2x16 unpackUnorm2x16 unpackHalf2x16 " +
+                "unpackSnorm4x8 unpackUnorm4x8 unpackDouble2x32 length distance cross normalize faceforward reflect refract"
         ).split(' ')
 
         val DIRECT = mapOf(

@@ -20,6 +20,8 @@ public class Shader internal constructor(
     private val origins: Array<String>,
     /** The instruction that decides whether this one runs, or -1. */
     internal val guards: IntArray,
+    /** Which instructions decide whether a loop goes on. */
+    internal val loopTests: BooleanArray,
     internal val initial: DoubleArray,
     private val sources: Array<Source?>,
     internal val textures: List<TextureCall>,

@@ -21,6 +21,7 @@ public class Tape(internal val shader: Shader) {
     private var at = IntArray(FIRST_SIZE)
     private var values = DoubleArray(FIRST_SIZE)
     private var guards = IntArray(FIRST_SIZE)
+    private var rounds = IntArray(FIRST_SIZE)
     private var starts = IntArray(FIRST_SIZE + 1)
     private var operands = IntArray(2 * FIRST_SIZE)
     private var sources = DoubleArray(0)
@@ -28,8 +29,9 @@ public class Tape(internal val shader: Shader) {
     /** What each cell holds now, as a reference. */
     internal val references = IntArray(shader.initial.size)
 
-    /** The last entry of each branch. */
+    /** The last entry of each branch, and how often each loop's test ran. */
     private val branches = IntArray(shader.size)
+    private val tests = IntArray(shader.size)
     private val heldResults = ArrayList<TapeResult>()
 
     /** Vectors and matrices as a whole, and what was assigned to variables and given to parameters, in order. */
@@ -44,8 +46,14 @@ public class Tape(internal val shader: Shader) {
     /** What entry [entry] is a part of: a function of GLSL (`normalize`), or an instruction of SPIR-V (`f_mul`, `matrix_times_vector`). */
     public fun origin(entry: Int): String = shader.origin(at[entry])
 
-    /** The number of the operation in the shader: entries of the same number are the same place in it, in different rounds of a loop. */
+    /**
+     * The number of the operation in the shader. Entries of the same place and [round], on one tape or on those of several runs, are the same quantity:
+     * so are values at several points to be compared.
+     */
     public fun place(entry: Int): Int = at[entry]
+
+    /** In which round of the innermost loop around it entry [entry] ran, counted over all times that the loop ran; 0 outside of loops, or where they have no test. */
+    public fun round(entry: Int): Int = rounds[entry]
 
     /** How many operands entry [entry] has. */
     public fun operandCount(entry: Int): Int = starts[entry + 1] - starts[entry]
@@ -74,6 +82,7 @@ public class Tape(internal val shader: Shader) {
         sources = cells.copyInto(if (sources.size == cells.size) sources else DoubleArray(cells.size))
         for (cell in references.indices) references[cell] = cell.inv()
         branches.fill(-1)
+        tests.fill(0)
     }
 
     /** The results that are known before instruction [pc] runs. */
@@ -128,7 +137,15 @@ public class Tape(internal val shader: Shader) {
         at[entry] = pc
         values[entry] = value
         val guard = shader.guards[pc]
-        guards[entry] = if (guard < 0) -1 else branches[guard]
+        val guardEntry = if (guard < 0) -1 else branches[guard]
+        guards[entry] = guardEntry
+        rounds[entry] = if (shader.loopTests[pc]) {
+            tests[pc]++
+        } else if (guardEntry < 0) {
+            0
+        } else {
+            rounds[guardEntry]
+        }
         branches[pc] = entry
         return entry
     }
@@ -138,6 +155,7 @@ public class Tape(internal val shader: Shader) {
         at = at.copyOf(size)
         values = values.copyOf(size)
         guards = guards.copyOf(size)
+        rounds = rounds.copyOf(size)
         starts = starts.copyOf(size + 1)
     }
 

@@ -89,8 +89,16 @@ class TapeTest {
         val sums = tape.entriesOfLine(12).filter { tape.operation(it) == Operation.ADD }
         assertEquals(3, sums.size)
         assertEquals(1, sums.map(tape::place).distinct().size)
+        assertEquals(listOf(0, 1, 2), sums.map(tape::round))
         assertEquals(listOf("k[0]", "k[1]", "k[2]"), sums.map { named(tape, tape.operand(it, 1)) })
         assertEquals(sums.take(2), sums.drop(1).map { tape.operand(it, 0) })
+    }
+
+    @Test
+    fun `a round that is left early counts`() {
+        val (_, tape) = run("for (int i = 0; i < 3; i++) {\nif (i == 1) continue;\nif (f < g) color += k[i] * g;\n}")
+        val products = (0 until tape.size).filter { tape.operation(it) == Operation.MUL }
+        assertEquals(listOf(0 to "k[0]", 2 to "k[2]"), products.map { tape.round(it) to named(tape, tape.operand(it, 0)) })
     }
 
     @Test

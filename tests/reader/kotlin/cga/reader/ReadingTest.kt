@@ -61,17 +61,18 @@ class ReadingTest {
             uniform Light lights[2];
             uniform Block { mat3 turn; bool on; } block;
             uniform Plain { uint loose; };
+            uniform Row { float x; } row[2];
             uniform sampler2D map;
             in Data { vec2 uv; } data;
             flat in int number;
             out vec4 color;
-            void main() { color = vec4(lights[1].k[number] + float(loose) + float(block.on)) + texture(map, data.uv) + vec4(block.turn[0], 1.0); }
+            void main() { color = vec4(lights[1].k[number] + float(loose) + float(block.on) + row[1].x) + texture(map, data.uv) + vec4(block.turn[0], 1.0); }
             """.trimIndent(),
         )
         assertEquals(
             listOf(
                 "lights[0].place", "lights[0].k[0]", "lights[0].k[1]", "lights[1].place", "lights[1].k[0]", "lights[1].k[1]",
-                "Block.turn", "Block.on", "loose", "map",
+                "Block.turn", "Block.on", "Row[0].x", "Row[1].x", "loose", "map",
             ).sorted(),
             shader.uniforms.map { it.name }.sorted(),
         )

@@ -4,7 +4,6 @@ import cga.reader.shader.Operation
 import cga.reader.shader.Operation.BRANCH
 import cga.reader.shader.Operation.JUMP
 import cga.reader.shader.Operation.SWITCH
-import cga.reader.shader.Result
 import cga.reader.shader.Source
 import cga.reader.shader.SwitchTable
 import cga.reader.shader.TextureCall
@@ -26,6 +25,16 @@ internal class Emitted(
     var isLoopTest: Boolean = false
 }
 
+/** What is known whole before instruction [before]. */
+internal class EmittedResult(
+    val before: Int,
+    val cells: IntArray,
+    val name: String?,
+    val line: Int,
+    val origin: String,
+    val guard: Emitted?,
+)
+
 /** Takes the instructions of a shader in their order, and hands out cells and labels. */
 internal class Emitter {
     val code = ArrayList<Emitted>()
@@ -34,13 +43,12 @@ internal class Emitter {
     val textures = ArrayList<TextureCall>()
     val switches = ArrayList<SwitchTable>()
 
-    /** What is known whole, by the instruction that it is known before. */
-    val results = ArrayList<Pair<Int, Result>>()
+    /** What is known whole, in order. */
+    val results = ArrayList<EmittedResult>()
 
     /** Where each label stands. */
     val labels = ArrayList<Int>()
     private val variables = TreeMap<Int, IntRange>()
-    private var placed = -1
     private val constants = HashMap<Long, Int>()
 
     /** What the next instructions are made from, and the branch that they depend on. */
@@ -94,18 +102,14 @@ internal class Emitter {
         cells: IntArray,
         name: String? = null,
     ) {
-        results += code.size to Result(cells, line, name, origin)
+        results += EmittedResult(code.size, cells, name, line, origin, guard)
     }
 
     fun newLabel(): Int = labels.size.also { labels += -1 }
 
     /** [label] stands here. */
     fun place(label: Int) {
-        val last = code.lastOrNull()
-        // A jump to the next instruction, which no label follows yet.
-        if (last?.operation == JUMP && last.a == label && placed != code.size) code.removeLast()
-        placed = code.size
-        labels[label] = placed
+        labels[label] = code.size
     }
 
     fun jump(label: Int) {

@@ -30,14 +30,8 @@ internal class Interface(private val emitter: Emitter) {
 
     /** Members of a block are called after the block, or by themselves where its variable has no name. */
     private fun root(global: GlobalVariable): String {
-        val type = global.type
-        return if (type !is Type.Struct || !type.isBlock) {
-            global.name
-        } else if (global.name.isEmpty()) {
-            ""
-        } else {
-            type.name
-        }
+        val block = generateSequence(global.type) { (it as? Type.Array)?.element }.last()
+        return if (block is Type.Struct && block.isBlock && global.name.isNotEmpty()) block.name else global.name
     }
 
     private fun addSlots(

@@ -66,10 +66,11 @@ internal class Results(
     val all: Array<Result>,
 )
 
-/** A result: its cells, the [line], the [name] of the variable that it is assigned to or null, and what made it. */
+/** A result: its cells, the [line], the [name] of the variable that it is assigned to or null, what made it, and the branch that decides whether it is there, or -1. */
 internal class Result(
     val cells: IntArray,
     val line: Int,
     val name: String?,
     val origin: String,
+    val guard: Int,
 )

@@ -91,7 +91,9 @@ public class Tape(internal val shader: Shader) {
         for (i in known.starts[pc] until known.starts[pc + 1]) {
             val result = known.all[i]
             val cells = result.cells
-            heldResults += TapeResult(result.name, result.origin, result.line, size, IntArray(cells.size) { references[cells[it]] })
+            val guard = if (result.guard < 0) -1 else branches[result.guard]
+            val references = IntArray(cells.size) { references[cells[it]] }
+            heldResults += TapeResult(result.name, result.origin, result.line, i, if (guard < 0) 0 else rounds[guard], size, references)
         }
     }
 
@@ -169,6 +171,7 @@ public class Tape(internal val shader: Shader) {
  *
  * @property name of the variable or parameter as GLSL writes it (`spec`, `light.color`), null for what has none.
  * @property origin what made it.
+ * @property place with [round], what is the same for the same quantity in several runs, as [Tape.place] and [Tape.round] are.
  * @property end how many entries the tape had then.
  * @property references one a number.
  */
@@ -176,6 +179,8 @@ public class TapeResult internal constructor(
     public val name: String?,
     public val origin: String,
     public val line: Int,
+    public val place: Int,
+    public val round: Int,
     public val end: Int,
     public val references: IntArray,
 )

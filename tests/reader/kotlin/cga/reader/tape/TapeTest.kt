@@ -46,6 +46,15 @@ class TapeTest {
     }
 
     @Test
+    fun `what a branch that is not taken would assign is not there`() {
+        val (_, tape) = run(
+            "vec3 v = vec3(f);\nif (f > g)\nv = vec3(g);\nfor (int i = 0; i < 3; i++)\nif (i != 1) v = vec3(k[i], g, g);\ncolor = v.xyzx;",
+        )
+        assertEquals(listOf(10 to 0, 14 to 0, 14 to 2), tape.results.filter { it.name == "v" }.map { it.line to it.round })
+        assertEquals(listOf("k[2]", "g", "g", "k[2]"), tape.references("color").map { named(tape, it) })
+    }
+
+    @Test
     fun `parameters are results by their own names`() {
         val (_, tape) = run("color = vec4(half_of(f));", "float half_of(float whole) {\nreturn whole * 0.5; }")
         assertEquals("f", named(tape, tape.results.single { it.name == "whole" }.references.single()))

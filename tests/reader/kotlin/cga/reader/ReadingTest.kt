@@ -38,6 +38,8 @@ class ReadingTest {
         "'#version 330 core|uniform sampler2D t; in vec3 n; out vec4 c;|void main() { c = texture2D(t, n.xy); }', texture2D and its like are read as texture",
         "'#version 330 core|struct L { vec3 p; }; struct L { vec3  p; }; uniform L n; out vec4 c;|void main() { c = vec4(n.p, 1); }', " +
             "a structure that is there twice is read once",
+        "'#version 330 core|in vec3 n; out vec4 c;|void main() { c = vec4(saturate(max(n, saturate(n.x))), 1.0); }', " +
+            "'saturate(x), which NVIDIA has from Cg, is read as clamp(x, 0.0, 1.0)'",
         "'#version 150|in vec3 n; out vec4 c;|void main() { c = vec4(n, 1); }', GLSL 150 is read as 330",
         "'/* old */ varying vec3 n;|  // none|void main() { gl_FragColor = vec4(n, 1.0); }', GLSL 110 is read as 330",
         "'#version 300 es|precision mediump float; in vec3 n; out vec4 c;|void main() { c = vec4(n, 1.0); }', GLSL 300 is read as 330",

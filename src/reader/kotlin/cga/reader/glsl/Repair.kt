@@ -16,6 +16,7 @@ internal enum class Repair(
         "texture2D and its like are read as texture",
         replacing("""\b(?:texture|shadow)(?:1D|2D|3D|Cube)((?:Proj)?(?:Lod|Grad)?)(?=\s*\()""", "texture$1"),
     ),
+    SATURATE("saturate(x), which NVIDIA has from Cg, is read as clamp(x, 0.0, 1.0)", ::clamped),
     STRUCT_TWICE("a structure that is there twice is read once", ::structsOnce),
     ;
 
@@ -56,6 +57,29 @@ private fun structsOnce(text: String): String {
     val seen = HashSet<List<String>>()
     return STRUCT.replace(text) { found ->
         if (seen.add(found.value.split(Regex("\\s+")))) found.value else found.value.replace(Regex("\\S"), " ")
+    }
+}
+
+private val SATURATE_CALL = Regex("""\bsaturate\s*\(""")
+private val SATURATE_FUNCTION = Regex("""\w\s+saturate\s*\([^()]*\)\s*\{""")
+
+/** [text] with `clamp` for `saturate`, unless that is a function of its own there. */
+private fun clamped(text: String): String {
+    if (SATURATE_FUNCTION.containsMatchIn(text)) return text
+    return SATURATE_CALL.findAll(text).toList().asReversed().fold(text) { current, call ->
+        var open = 1
+        val end = (call.range.last + 1 until current.length).find { at ->
+            open += if (current[at] == '(') {
+                1
+            } else if (current[at] == ')') {
+                -1
+            } else {
+                0
+            }
+            open == 0
+        } ?: return text
+        current.substring(0, call.range.first) + "clamp(" + current.substring(call.range.last + 1, end) + ", 0.0, 1.0" +
+            current.substring(end)
     }
 }
 

@@ -132,7 +132,7 @@ internal class Emitter {
     }
 
     private companion object {
-        const val MAX_CELLS = 1 shl 20
+        const val MAX_CELLS = 1 shl 18
         const val MAX_INSTRUCTIONS = 200_000
     }
 }

@@ -7,7 +7,6 @@ import cga.reader.shader.Slot
 import cga.reader.tape.Tape
 import kotlin.math.abs
 import kotlin.math.max
-import kotlin.math.min
 import kotlin.math.sqrt
 
 /**
@@ -15,8 +14,8 @@ import kotlin.math.sqrt
  * else begins anew each time. Constants are the floats that GLSL makes of what is written.
  *
  * Where GLSL leaves open what happens, the result is some number and never an exception: an index beyond an array is the nearest one
- * within, an integer divided by 0 is 0, a variable without a value is 0, a power of a negative number is NaN. Derivatives of a lone
- * invocation are 0; see [Quad].
+ * within, an integer divided by 0 is 0, a variable without a value is 0, a power of a negative number is NaN, the larger or smaller of a
+ * number and NaN is the number. Derivatives of a lone invocation are 0; see [Quad].
  */
 public class Machine(public val shader: Shader) {
     private val given = shader.initial.copyOf()
@@ -157,8 +156,8 @@ public class Machine(public val shader: Shader) {
                 Operation.DIV -> cells[a] / cells[b]
                 Operation.NEG -> -cells[a]
                 Operation.ABS -> abs(cells[a])
-                Operation.MIN -> min(cells[a], cells[b])
-                Operation.MAX -> max(cells[a], cells[b])
+                Operation.MIN -> smaller(cells[a], cells[b])
+                Operation.MAX -> larger(cells[a], cells[b])
                 Operation.SQRT -> sqrt(cells[a])
                 Operation.INVERSE_SQRT -> 1 / sqrt(cells[a])
                 Operation.POW -> power(cells[a], cells[b])

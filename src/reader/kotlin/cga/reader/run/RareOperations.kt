@@ -87,6 +87,16 @@ internal fun wrapped(
 
 internal fun truth(x: Boolean): Double = if (x) 1.0 else 0.0
 
+internal fun smaller(
+    x: Double,
+    y: Double,
+): Double = if (x < y || y.isNaN()) x else y
+
+internal fun larger(
+    x: Double,
+    y: Double,
+): Double = if (x > y || y.isNaN()) x else y
+
 /** x^y as GLSL has it, which knows no powers of negative numbers. */
 internal fun power(
     x: Double,

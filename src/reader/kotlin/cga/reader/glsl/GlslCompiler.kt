@@ -2,6 +2,7 @@ package cga.reader.glsl
 
 import cga.reader.Problem
 import cga.reader.shader.Stage
+import org.lwjgl.system.MemoryUtil
 import org.lwjgl.util.shaderc.Shaderc.*
 
 /** What shaderc made of a shader: the SPIR-V, or the problems. */
@@ -39,6 +40,10 @@ internal object GlslCompiler {
         stage: Stage,
     ): Compiled {
         val options = shaderc_compile_options_initialize()
+        // Not as a Kotlin text: LWJGL has only 64 KB for those.
+        val source = MemoryUtil.memUTF8(text, false)
+        val name = MemoryUtil.memUTF8(file)
+        val entry = MemoryUtil.memUTF8("main")
         try {
             shaderc_compile_options_set_target_env(options, shaderc_target_env_opengl, shaderc_env_version_opengl_4_5)
             shaderc_compile_options_set_auto_map_locations(options, true)
@@ -46,7 +51,7 @@ internal object GlslCompiler {
             shaderc_compile_options_set_generate_debug_info(options)
             shaderc_compile_options_set_optimization_level(options, shaderc_optimization_level_zero)
             val kind = if (stage == Stage.VERTEX) shaderc_glsl_vertex_shader else shaderc_glsl_fragment_shader
-            val result = shaderc_compile_into_spv(compiler, text, kind, file, "main", options)
+            val result = shaderc_compile_into_spv(compiler, source, kind, name, entry, options)
             try {
                 if (shaderc_result_get_compilation_status(result) != shaderc_compilation_status_success) {
                     return Compiled(null, problems(file, shaderc_result_get_error_message(result).orEmpty()))
@@ -57,6 +62,7 @@ internal object GlslCompiler {
                 shaderc_result_release(result)
             }
         } finally {
+            listOf(source, name, entry).forEach(MemoryUtil::memFree)
             shaderc_compile_options_release(options)
         }
     }

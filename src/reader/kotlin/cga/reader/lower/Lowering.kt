@@ -24,6 +24,7 @@ internal class Lowering(private val module: Module) {
     private val textures = Textures(emitter)
     private val standard = StandardFunctions(emitter, arithmetic, algebra)
     private val globals = Scope(module, emitter)
+    private val guardsOf = HashMap<Int, Map<Int, Int>>()
 
     fun lower(stage: Stage): Shader {
         val interfaces = Interface(emitter)
@@ -74,7 +75,8 @@ internal class Lowering(private val module: Module) {
         private val labels = function.blocks.associate { it.label to emitter.newLabel() }
         private val end = emitter.newLabel()
         private val outerGuard = emitter.guard
-        private val guardedBy = guards(function)
+        private val guardedBy = guardsOf.getOrPut(function.id) { guards(function) }
+        private val blocks = function.blocks.associateBy { it.label }
         private val branches = HashMap<Int, Emitted>()
         private val phis = HashMap<Int, IntArray>()
 
@@ -161,8 +163,7 @@ internal class Lowering(private val module: Module) {
             from: Int,
             to: Int,
         ) {
-            val block = function.blocks.first { it.label == to }
-            for (phi in block.instructions.takeWhile { it.op == Op.PHI }) {
+            for (phi in blocks.getValue(to).instructions.takeWhile { it.op == Op.PHI }) {
                 val value = (0 until phi.operands.size step 2).find { phi.operands[it + 1] == from } ?: continue
                 val cells = scope.value(phi.operands[value]).cells
                 for ((i, target) in shadow(phi).withIndex()) emitter.emit(Operation.MOVE, target, cells[i])

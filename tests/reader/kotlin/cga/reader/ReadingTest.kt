@@ -25,7 +25,8 @@ class ReadingTest {
     @Test
     fun `a long shader is read in time`() {
         val steps = (0 until 2000).joinToString("\n") { "if (x > $it.5) { x *= 1.01; } else if (x < 0.0) x += 1.0;" }
-        val text = "#version 330 core\nin vec3 n; out vec4 c;\nfloat f(float x) {\n$steps\nreturn x; }\nvoid main() { c = vec4(f(n.x), f(n.y), 0.0, 1.0); }"
+        val text = "#version 330 core\nin vec3 n; out vec4 c;\nfloat f(float x) {\n$steps\nreturn x; }\n" +
+            "void main() { c = vec4(f(n.x), f(n.y), 0.0, 1.0); }"
         assertTrue(text.length > 100_000 && shader(text).size > 20_000)
     }
 

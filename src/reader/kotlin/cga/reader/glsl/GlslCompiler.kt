@@ -21,11 +21,7 @@ internal object GlslCompiler {
      * Compiles [text] as it is; where that fails, repaired; and where that fails, as the newest GLSL, which allows what some drivers allow in
      * older ones: a semicolon too many, locations of uniforms, arrays of arrays. The problems are those of the first attempt.
      */
-    fun compile(
-        file: String,
-        text: String,
-        stage: Stage,
-    ): Compiled {
+    fun compile(file: String, text: String, stage: Stage): Compiled {
         val plain = if (Repair.hasKnownVersion(text)) compileAsIs(file, text, stage) else null
         if (plain?.binary != null) return plain
         val attempts = sequenceOf(Repair.all(text), Repair.all(text, NEWEST)).map { (repaired, repairs) ->
@@ -34,11 +30,7 @@ internal object GlslCompiler {
         return attempts.find { it.binary != null } ?: plain ?: attempts.first()
     }
 
-    private fun compileAsIs(
-        file: String,
-        text: String,
-        stage: Stage,
-    ): Compiled {
+    private fun compileAsIs(file: String, text: String, stage: Stage): Compiled {
         val options = shaderc_compile_options_initialize()
         // Not as a Kotlin text: LWJGL has only 64 KB for those.
         val source = MemoryUtil.memUTF8(text, false)
@@ -67,10 +59,7 @@ internal object GlslCompiler {
         }
     }
 
-    private fun problems(
-        file: String,
-        messages: String,
-    ): List<Problem> {
+    private fun problems(file: String, messages: String): List<Problem> {
         val found = messages.lines().mapNotNull { MESSAGE.find(it) }.map { Problem(file, it.groupValues[2].toInt(), it.groupValues[3]) }
         return found.ifEmpty { listOf(Problem(file, 0, messages.trim())) }
     }

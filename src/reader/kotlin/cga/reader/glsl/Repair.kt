@@ -25,10 +25,7 @@ internal enum class Repair(
         fun hasKnownVersion(text: String): Boolean = version(withoutComments(text)) in OLDEST..NEWEST
 
         /** [text] as GLSL [version] with every repair that applies, and what was done; its comments are gone. */
-        fun all(
-            text: String,
-            version: Int = OLDEST,
-        ): Pair<String, List<String>> {
+        fun all(text: String, version: Int = OLDEST): Pair<String, List<String>> {
             val plain = withoutComments(text)
             val made = ArrayList<String>()
             val repaired = entries.fold(plain) { current, repair ->

@@ -43,10 +43,7 @@ internal class Assembly(
         )
     }
 
-    private fun words(
-        instruction: Emitted,
-        targets: List<Int>,
-    ): List<Int> {
+    private fun words(instruction: Emitted, targets: List<Int>): List<Int> {
         val operation = instruction.operation
         val isBranch = operation == Operation.BRANCH
         return listOf(
@@ -65,11 +62,7 @@ internal class Assembly(
         return places
     }
 
-    private fun results(
-        places: IntArray,
-        count: Int,
-        indices: Map<Emitted, Int>,
-    ): Results {
+    private fun results(places: IntArray, count: Int, indices: Map<Emitted, Int>): Results {
         val byPlace = emitter.results.groupBy { places[it.before] }
         val starts = IntArray(count + 1)
         for (at in 0 until count) starts[at + 1] = starts[at] + byPlace[at].orEmpty().size
@@ -100,10 +93,7 @@ internal class Assembly(
         return dropped.isNotEmpty()
     }
 
-    private fun markRead(
-        instruction: Emitted,
-        isRead: BooleanArray,
-    ) {
+    private fun markRead(instruction: Emitted, isRead: BooleanArray) {
         when (instruction.operation) {
             Operation.TEXTURE, Operation.TEXTURE_SIZE -> for (cell in emitter.textures[instruction.a].operands) isRead[cell] = true
             Operation.LOAD -> {

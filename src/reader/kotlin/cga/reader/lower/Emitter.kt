@@ -57,10 +57,7 @@ internal class Emitter {
     var guard: Emitted? = null
 
     /** A new cell. */
-    fun cell(
-        source: Source? = null,
-        value: Double = 0.0,
-    ): Int {
+    fun cell(source: Source? = null, value: Double = 0.0): Int {
         if (initial.size >= MAX_CELLS) throw UnreadableException("more than $MAX_CELLS numbers at once", line)
         initial += value
         sources += source
@@ -77,20 +74,9 @@ internal class Emitter {
     fun constant(value: Double): Int = constants.getOrPut(value.toRawBits()) { cell(Source.Constant(value), value) }
 
     /** The new cell of the result. [c] of the operations on integers is 1 where it has no sign. */
-    fun op(
-        operation: Operation,
-        a: Int,
-        b: Int = 0,
-        c: Int = 0,
-    ): Int = cell().also { emit(operation, it, a, b, c) }
+    fun op(operation: Operation, a: Int, b: Int = 0, c: Int = 0): Int = cell().also { emit(operation, it, a, b, c) }
 
-    fun emit(
-        operation: Operation,
-        target: Int,
-        a: Int = 0,
-        b: Int = 0,
-        c: Int = 0,
-    ): Emitted {
+    fun emit(operation: Operation, target: Int, a: Int = 0, b: Int = 0, c: Int = 0): Emitted {
         if (code.size >= MAX_INSTRUCTIONS) {
             throw UnreadableException("more than $MAX_INSTRUCTIONS operations, functions put where they are called", line)
         }
@@ -98,10 +84,7 @@ internal class Emitter {
     }
 
     /** Remembers that [cells] are a result as a whole. */
-    fun result(
-        cells: IntArray,
-        name: String? = null,
-    ) {
+    fun result(cells: IntArray, name: String? = null) {
         results += EmittedResult(code.size, cells, name, line, origin, guard)
     }
 
@@ -122,11 +105,7 @@ internal class Emitter {
         whenFalse: Int,
     ): Emitted = emit(BRANCH, cell(), condition, whenTrue, whenFalse)
 
-    fun switch(
-        selector: Int,
-        labels: Map<Int, Int>,
-        default: Int,
-    ): Emitted {
+    fun switch(selector: Int, labels: Map<Int, Int>, default: Int): Emitted {
         switches += SwitchTable(labels, default)
         return emit(SWITCH, cell(), selector, switches.size - 1)
     }

@@ -34,11 +34,7 @@ internal fun successors(block: Block): List<Int> {
     }
 }
 
-private fun reachable(
-    from: List<Int>,
-    blocks: Map<Int, Block>,
-    stops: Set<Int>,
-): Set<Int> {
+private fun reachable(from: List<Int>, blocks: Map<Int, Block>, stops: Set<Int>): Set<Int> {
     val reached = LinkedHashSet<Int>()
     val next = ArrayDeque(from)
     while (next.isNotEmpty()) {

@@ -41,21 +41,13 @@ internal class Lowering(private val module: Module) {
     }
 
     /** A uniform's initial value is there before anything runs, that of others is assigned. */
-    private fun initialize(
-        pointer: Pointer,
-        value: Value,
-    ) {
+    private fun initialize(pointer: Pointer, value: Value) {
         if (!pointer.variable.isReadOnly) return memory.store(pointer, value)
         for ((i, cell) in value.cells.withIndex()) emitter.initial[pointer.base + i] = emitter.initial[cell]
     }
 
     /** [function] with [arguments], each a [Value] or a [Pointer]; what it returns, or null. */
-    private fun call(
-        function: Function,
-        arguments: List<Any>,
-        caller: Scope,
-        depth: Int,
-    ): Value? {
+    private fun call(function: Function, arguments: List<Any>, caller: Scope, depth: Int): Value? {
         if (depth > MAX_DEPTH) throw UnreadableException("functions call each other more than $MAX_DEPTH deep, or themselves")
         val scope = Scope(module, emitter, globals)
         for ((id, argument) in function.parameters.zip(arguments)) {
@@ -101,10 +93,7 @@ internal class Lowering(private val module: Module) {
             return result
         }
 
-        private fun instruction(
-            instruction: Instruction,
-            block: Block,
-        ) {
+        private fun instruction(instruction: Instruction, block: Block) {
             val operands = instruction.operands
             when (instruction.op) {
                 Op.SELECTION_MERGE, Op.LOOP_MERGE -> Unit
@@ -134,10 +123,7 @@ internal class Lowering(private val module: Module) {
         private fun shadow(phi: Instruction) =
             phis.getOrPut(phi.id) { IntArray(scope.type(phi.type).cells) { emitter.cell() } }
 
-        private fun leave(
-            instruction: Instruction,
-            block: Block,
-        ) {
+        private fun leave(instruction: Instruction, block: Block) {
             for (next in successors(block)) passPhis(block.label, next)
             val operands = instruction.operands
 
@@ -159,10 +145,7 @@ internal class Lowering(private val module: Module) {
             }
         }
 
-        private fun passPhis(
-            from: Int,
-            to: Int,
-        ) {
+        private fun passPhis(from: Int, to: Int) {
             for (phi in blocks.getValue(to).instructions.takeWhile { it.op == Op.PHI }) {
                 val value = (0 until phi.operands.size step 2).find { phi.operands[it + 1] == from } ?: continue
                 val cells = scope.value(phi.operands[value]).cells
@@ -182,10 +165,7 @@ internal class Lowering(private val module: Module) {
     }
 
     /** An instruction that neither calls nor goes on elsewhere. */
-    private fun value(
-        instruction: Instruction,
-        scope: Scope,
-    ) {
+    private fun value(instruction: Instruction, scope: Scope) {
         val operands = instruction.operands
         when (instruction.op) {
             Op.LOAD -> scope[instruction.id] = memory.load(scope.pointer(operands[0]))
@@ -201,10 +181,7 @@ internal class Lowering(private val module: Module) {
         }
     }
 
-    private fun computed(
-        instruction: Instruction,
-        scope: Scope,
-    ): Value =
+    private fun computed(instruction: Instruction, scope: Scope): Value =
         when (instruction.op) {
             Op.EXT_INST -> standard.lower(instruction, scope)
             // |dFdx(p)| + |dFdy(p)|

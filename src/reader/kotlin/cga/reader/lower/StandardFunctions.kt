@@ -22,10 +22,7 @@ internal class StandardFunctions(
     private val arithmetic: Arithmetic,
     private val algebra: Algebra,
 ) {
-    fun lower(
-        instruction: Instruction,
-        scope: Scope,
-    ): Value {
+    fun lower(instruction: Instruction, scope: Scope): Value {
         val type = scope.type(instruction.type)
         val number = instruction.operands[1]
         val name = NAMES.getOrNull(number).orEmpty()
@@ -56,10 +53,7 @@ internal class StandardFunctions(
         "length" to { type, (v) -> length(type, v) },
         "distance" to { type, (a, b) -> length(type, each(a.type, SUB, a, b)) },
         "cross" to { type, (a, b) ->
-            fun rotated(
-                v: Value,
-                by: Int,
-            ) = Value(type, IntArray(3) { v.cells[(it + by) % 3] })
+            fun rotated(v: Value, by: Int) = Value(type, IntArray(3) { v.cells[(it + by) % 3] })
             each(type, SUB, each(type, MUL, rotated(a, 1), rotated(b, 2)), each(type, MUL, rotated(b, 1), rotated(a, 2)))
         },
         "normalize" to { type, (v) -> each(type, MUL, v, each(type.componentType, INVERSE_SQRT, dot(v, v))) },
@@ -75,12 +69,7 @@ internal class StandardFunctions(
         v: Value,
     ) = if (v.cells.size == 1) each(type, Operation.ABS, v) else each(type, SQRT, dot(v, v))
 
-    private fun refract(
-        type: Type,
-        i: Value,
-        n: Value,
-        eta: Value,
-    ): Value {
+    private fun refract(type: Type, i: Value, n: Value, eta: Value): Value {
         val cosine = dot(n, i)
         val sine = each(Type.Float, MUL, each(Type.Float, MUL, eta, eta), each(Type.Float, SUB, number(1.0), product(cosine, cosine)))
         val k = each(Type.Float, SUB, number(1.0), sine)
@@ -89,15 +78,9 @@ internal class StandardFunctions(
         return each(type, SELECT, each(Type.Float, LESS, k, number(0.0)), number(0.0), refracted)
     }
 
-    private fun product(
-        a: Value,
-        b: Value,
-    ) = each(Type.Float, MUL, a, b)
+    private fun product(a: Value, b: Value) = each(Type.Float, MUL, a, b)
 
-    private fun dot(
-        a: Value,
-        b: Value,
-    ) = Value(Type.Float, algebra.dot(a.cells, b.cells))
+    private fun dot(a: Value, b: Value) = Value(Type.Float, algebra.dot(a.cells, b.cells))
 
     private fun number(value: Double) = Value(Type.Float, emitter.constant(value))
 

@@ -98,13 +98,7 @@ public class Tape(internal val shader: Shader) {
     }
 
     /** Adds what instruction [pc] made of the cells [a], [b] and [c], as far as it has so many operands; its entry. */
-    internal fun add(
-        pc: Int,
-        value: Double,
-        a: Int,
-        b: Int,
-        c: Int,
-    ): Int {
+    internal fun add(pc: Int, value: Double, a: Int, b: Int, c: Int): Int {
         val entry = open(pc, value)
         var end = starts[entry]
         val count = shader.operation(pc).operands
@@ -117,11 +111,7 @@ public class Tape(internal val shader: Shader) {
     }
 
     /** Adds a number that a texture gave for what is in [cells]. */
-    internal fun add(
-        pc: Int,
-        value: Double,
-        cells: IntArray,
-    ): Int {
+    internal fun add(pc: Int, value: Double, cells: IntArray): Int {
         val entry = open(pc, value)
         val start = starts[entry]
         while (start + cells.size > operands.size) operands = operands.copyOf(2 * operands.size)
@@ -130,10 +120,7 @@ public class Tape(internal val shader: Shader) {
         return entry
     }
 
-    private fun open(
-        pc: Int,
-        value: Double,
-    ): Int {
+    private fun open(pc: Int, value: Double): Int {
         if (size == at.size) grow()
         val entry = size++
         at[entry] = pc

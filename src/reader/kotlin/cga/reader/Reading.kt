@@ -23,11 +23,7 @@ public sealed interface Reading {
 
     public companion object {
         /** Reads the shader [text], GLSL 1.10 to 4.60, as it is handed to OpenGL. [file] names it in problems. */
-        public fun of(
-            file: String,
-            text: String,
-            stage: Stage,
-        ): Reading {
+        public fun of(file: String, text: String, stage: Stage): Reading {
             val compiled = GlslCompiler.compile(file, text, stage)
             val binary = compiled.binary ?: return Failed(compiled.problems)
             return try {

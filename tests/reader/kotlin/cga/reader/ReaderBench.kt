@@ -21,7 +21,13 @@ internal fun main() {
         val machine = Machine(shader(text, Stage.FRAGMENT, "scene.frag"))
         val random = Random(1)
         for (slot in machine.shader.uniforms + machine.shader.inputs) {
-            if (slot.kind == Kind.SAMPLER) machine[slot] = OneColor(doubleArrayOf(0.5, 0.4, 0.3, 1.0)) else machine[slot] = random.numbersFor(slot)
+            if (slot.kind ==
+                Kind.SAMPLER
+            ) {
+                machine[slot] = OneColor(doubleArrayOf(0.5, 0.4, 0.3, 1.0))
+            } else {
+                machine[slot] = random.numbersFor(slot)
+            }
         }
         val tape = Tape(machine.shader)
         val without = perSecond(RUNS) { machine.run() }

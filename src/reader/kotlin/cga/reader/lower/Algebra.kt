@@ -13,10 +13,7 @@ import cga.reader.spirv.Type
 /** Dot products, and what matrices do, as their formulas of single numbers. */
 internal class Algebra(private val emitter: Emitter) {
     /** The result, or null where [instruction] is of another sort. */
-    fun lower(
-        instruction: Instruction,
-        scope: Scope,
-    ): Value? {
+    fun lower(instruction: Instruction, scope: Scope): Value? {
         val type = scope.type(instruction.type)
 
         fun operand(i: Int) = scope.value(instruction.operands[i])
@@ -40,20 +37,14 @@ internal class Algebra(private val emitter: Emitter) {
     fun determinant(matrix: Value): Int = determinant(matrix.parts().map { it.cells })
 
     /** By cofactors, over the determinant. */
-    fun inverse(
-        type: Type,
-        matrix: Value,
-    ): Value {
+    fun inverse(type: Type, matrix: Value): Value {
         val columns = matrix.parts().map { it.cells }
         val cofactors = columns.indices.map { column -> columns.indices.map { row -> cofactor(columns, column, row) } }
         val determinant = dot(columns[0], cofactors[0].toIntArray())
         return Value(type, columns.indices.flatMap { j -> columns.indices.map { i -> op(DIV, cofactors[i][j], determinant) } }.toIntArray())
     }
 
-    private fun times(
-        matrix: Value,
-        vector: IntArray,
-    ) = rows(matrix).map { dot(it, vector) }.toIntArray()
+    private fun times(matrix: Value, vector: IntArray) = rows(matrix).map { dot(it, vector) }.toIntArray()
 
     private fun rows(matrix: Value): List<IntArray> {
         val columns = matrix.parts()
@@ -66,18 +57,10 @@ internal class Algebra(private val emitter: Emitter) {
         return dot(columns[0], IntArray(columns.size) { cofactor(columns, 0, it) })
     }
 
-    private fun cofactor(
-        columns: List<IntArray>,
-        column: Int,
-        row: Int,
-    ): Int {
+    private fun cofactor(columns: List<IntArray>, column: Int, row: Int): Int {
         val minor = (columns - setOf(columns[column])).map { cells -> cells.filterIndexed { i, _ -> i != row }.toIntArray() }
         return determinant(minor).let { if ((column + row) % 2 == 0) it else op(NEG, it) }
     }
 
-    private fun op(
-        operation: Operation,
-        a: Int,
-        b: Int = 0,
-    ) = emitter.op(operation, a, b)
+    private fun op(operation: Operation, a: Int, b: Int = 0) = emitter.op(operation, a, b)
 }

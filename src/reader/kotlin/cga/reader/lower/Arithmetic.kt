@@ -8,10 +8,7 @@ import cga.reader.spirv.Type
 /** Instructions that do the same with each component of their operands. */
 internal class Arithmetic(private val emitter: Emitter) {
     /** The result, or null where [instruction] is of another sort. */
-    fun lower(
-        instruction: Instruction,
-        scope: Scope,
-    ): Value? {
+    fun lower(instruction: Instruction, scope: Scope): Value? {
         val op = instruction.op
         val type = scope.type(instruction.type)
 
@@ -31,11 +28,7 @@ internal class Arithmetic(private val emitter: Emitter) {
     }
 
     /** [operation] on the numbers of [operands], one after the other; a single number goes with all of a vector. */
-    fun each(
-        type: Type,
-        operation: Operation,
-        operands: List<Value>,
-    ): Value {
+    fun each(type: Type, operation: Operation, operands: List<Value>): Value {
         fun cell(
             operand: Int,
             i: Int,
@@ -53,10 +46,7 @@ internal class Arithmetic(private val emitter: Emitter) {
         operand: Value,
     ) = Value(type, operand.cells.reduce { all, next -> emitter.op(operation, all, next) })
 
-    private fun bitcast(
-        from: Type,
-        to: Type,
-    ) = when {
+    private fun bitcast(from: Type, to: Type) = when {
         from == Type.Float -> Operation.FLOAT_BITS
         to == Type.Float -> Operation.BITS_FLOAT
         else -> Operation.INT_CAST

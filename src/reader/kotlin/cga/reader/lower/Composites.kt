@@ -10,10 +10,7 @@ internal class Composites(
     private val memory: Memory,
 ) {
     /** The result, or null where [instruction] is of another sort. */
-    fun lower(
-        instruction: Instruction,
-        scope: Scope,
-    ): Value? {
+    fun lower(instruction: Instruction, scope: Scope): Value? {
         val operands = instruction.operands
         val type = scope.type(instruction.type)
 
@@ -38,11 +35,7 @@ internal class Composites(
         }
     }
 
-    private fun insert(
-        whole: Value,
-        indices: IntArray,
-        part: Value,
-    ): Value {
+    private fun insert(whole: Value, indices: IntArray, part: Value): Value {
         var type = whole.type
         var at = 0
         for (index in indices) {
@@ -56,10 +49,7 @@ internal class Composites(
     }
 
     /** An element of [vector], in a variable of its own, since its numbers need not lie side by side. */
-    private fun element(
-        vector: Value,
-        index: Value,
-    ): Pointer {
+    private fun element(vector: Value, index: Value): Pointer {
         val variable = memory.variable("", vector.type, Storage.FUNCTION)
         val whole = Pointer(variable, vector.type, variable.base)
         memory.store(whole, vector)

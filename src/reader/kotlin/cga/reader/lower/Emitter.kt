@@ -4,7 +4,6 @@ import cga.reader.shader.Operation
 import cga.reader.shader.Operation.BRANCH
 import cga.reader.shader.Operation.JUMP
 import cga.reader.shader.Operation.SWITCH
-import cga.reader.shader.Result
 import cga.reader.shader.Source
 import cga.reader.shader.SwitchTable
 import cga.reader.shader.TextureCall
@@ -21,6 +20,19 @@ internal class Emitted(
     val line: Int,
     val origin: String,
     val guard: Emitted?,
+) {
+    /** Whether it decides if a loop goes on. */
+    var isLoopTest: Boolean = false
+}
+
+/** What is known whole before instruction [before]. */
+internal class EmittedResult(
+    val before: Int,
+    val cells: IntArray,
+    val name: String?,
+    val line: Int,
+    val origin: String,
+    val guard: Emitted?,
 )
 
 /** Takes the instructions of a shader in their order, and hands out cells and labels. */
@@ -31,13 +43,12 @@ internal class Emitter {
     val textures = ArrayList<TextureCall>()
     val switches = ArrayList<SwitchTable>()
 
-    /** What is known whole, by the instruction that it is known before. */
-    val results = ArrayList<Pair<Int, Result>>()
+    /** What is known whole, in order. */
+    val results = ArrayList<EmittedResult>()
 
     /** Where each label stands. */
     val labels = ArrayList<Int>()
     private val variables = TreeMap<Int, IntRange>()
-    private var placed = -1
     private val constants = HashMap<Long, Int>()
 
     /** What the next instructions are made from, and the branch that they depend on. */
@@ -46,10 +57,7 @@ internal class Emitter {
     var guard: Emitted? = null
 
     /** A new cell. */
-    fun cell(
-        source: Source? = null,
-        value: Double = 0.0,
-    ): Int {
+    fun cell(source: Source? = null, value: Double = 0.0): Int {
         if (initial.size >= MAX_CELLS) throw UnreadableException("more than $MAX_CELLS numbers at once", line)
         initial += value
         sources += source
@@ -66,20 +74,9 @@ internal class Emitter {
     fun constant(value: Double): Int = constants.getOrPut(value.toRawBits()) { cell(Source.Constant(value), value) }
 
     /** The new cell of the result. [c] of the operations on integers is 1 where it has no sign. */
-    fun op(
-        operation: Operation,
-        a: Int,
-        b: Int = 0,
-        c: Int = 0,
-    ): Int = cell().also { emit(operation, it, a, b, c) }
+    fun op(operation: Operation, a: Int, b: Int = 0, c: Int = 0): Int = cell().also { emit(operation, it, a, b, c) }
 
-    fun emit(
-        operation: Operation,
-        target: Int,
-        a: Int = 0,
-        b: Int = 0,
-        c: Int = 0,
-    ): Emitted {
+    fun emit(operation: Operation, target: Int, a: Int = 0, b: Int = 0, c: Int = 0): Emitted {
         if (code.size >= MAX_INSTRUCTIONS) {
             throw UnreadableException("more than $MAX_INSTRUCTIONS operations, functions put where they are called", line)
         }
@@ -87,22 +84,15 @@ internal class Emitter {
     }
 
     /** Remembers that [cells] are a result as a whole. */
-    fun result(
-        cells: IntArray,
-        name: String? = null,
-    ) {
-        results += code.size to Result(cells, line, name, origin)
+    fun result(cells: IntArray, name: String? = null) {
+        results += EmittedResult(code.size, cells, name, line, origin, guard)
     }
 
     fun newLabel(): Int = labels.size.also { labels += -1 }
 
     /** [label] stands here. */
     fun place(label: Int) {
-        val last = code.lastOrNull()
-        // A jump to the next instruction, which no label follows yet.
-        if (last?.operation == JUMP && last.a == label && placed != code.size) code.removeLast()
-        placed = code.size
-        labels[label] = placed
+        labels[label] = code.size
     }
 
     fun jump(label: Int) {
@@ -115,17 +105,13 @@ internal class Emitter {
         whenFalse: Int,
     ): Emitted = emit(BRANCH, cell(), condition, whenTrue, whenFalse)
 
-    fun switch(
-        selector: Int,
-        labels: Map<Int, Int>,
-        default: Int,
-    ): Emitted {
+    fun switch(selector: Int, labels: Map<Int, Int>, default: Int): Emitted {
         switches += SwitchTable(labels, default)
         return emit(SWITCH, cell(), selector, switches.size - 1)
     }
 
     private companion object {
-        const val MAX_CELLS = 1 shl 20
+        const val MAX_CELLS = 1 shl 18
         const val MAX_INSTRUCTIONS = 200_000
     }
 }

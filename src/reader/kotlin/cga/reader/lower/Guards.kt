@@ -19,10 +19,8 @@ internal fun guards(function: Function): Map<Int, Int> {
         val stops = loops.filter { block.label in it.second }.flatMap { it.first } + merges + block.label
         block.label to reachable(successors(block), blocks, stops.toSet())
     }
-    return blocks.keys
-        .mapNotNull { label ->
-            regions.filter { label in it.second }.minByOrNull { it.second.size }?.let { label to it.first }
-        }.toMap()
+    // Inner ones are smaller, and come after those around them.
+    return buildMap { for ((header, region) in regions.sortedByDescending { it.second.size }) for (label in region) put(label, header) }
 }
 
 /** The labels that a block may go on to. */
@@ -36,11 +34,7 @@ internal fun successors(block: Block): List<Int> {
     }
 }
 
-private fun reachable(
-    from: List<Int>,
-    blocks: Map<Int, Block>,
-    stops: Set<Int>,
-): Set<Int> {
+private fun reachable(from: List<Int>, blocks: Map<Int, Block>, stops: Set<Int>): Set<Int> {
     val reached = LinkedHashSet<Int>()
     val next = ArrayDeque(from)
     while (next.isNotEmpty()) {

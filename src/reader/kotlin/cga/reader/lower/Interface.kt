@@ -13,10 +13,7 @@ internal class Interface(private val emitter: Emitter) {
     val inputs = ArrayList<Slot>()
     val outputs = ArrayList<Slot>()
 
-    fun add(
-        global: GlobalVariable,
-        memory: Memory,
-    ): Variable {
+    fun add(global: GlobalVariable, memory: Memory): Variable {
         val variable = memory.variable(global.builtIn?.glsl ?: global.name, global.type, global.storage)
         val slots = when (global.storage) {
             Storage.UNIFORM, Storage.UNIFORM_CONSTANT -> uniforms
@@ -30,23 +27,11 @@ internal class Interface(private val emitter: Emitter) {
 
     /** Members of a block are called after the block, or by themselves where its variable has no name. */
     private fun root(global: GlobalVariable): String {
-        val type = global.type
-        return if (type !is Type.Struct || !type.isBlock) {
-            global.name
-        } else if (global.name.isEmpty()) {
-            ""
-        } else {
-            type.name
-        }
+        val block = generateSequence(global.type) { (it as? Type.Array)?.element }.last()
+        return if (block is Type.Struct && block.isBlock && global.name.isNotEmpty()) block.name else global.name
     }
 
-    private fun addSlots(
-        slots: MutableList<Slot>,
-        global: GlobalVariable,
-        name: String,
-        type: Type,
-        cell: Int,
-    ) {
+    private fun addSlots(slots: MutableList<Slot>, global: GlobalVariable, name: String, type: Type, cell: Int) {
         when (type) {
             is Type.Struct -> {
                 var at = cell
@@ -61,13 +46,7 @@ internal class Interface(private val emitter: Emitter) {
         }
     }
 
-    private fun addSlot(
-        slots: MutableList<Slot>,
-        global: GlobalVariable,
-        name: String,
-        type: Type,
-        cell: Int,
-    ) {
+    private fun addSlot(slots: MutableList<Slot>, global: GlobalVariable, name: String, type: Type, cell: Int) {
         val columns = if (type is Type.Matrix) type.count else 1
         val slot = Slot(name, kind(type), columns, type.cells / columns, global.location, cell)
         slots += slot

@@ -24,6 +24,7 @@ internal class Lowering(private val module: Module) {
     private val textures = Textures(emitter)
     private val standard = StandardFunctions(emitter, arithmetic, algebra)
     private val globals = Scope(module, emitter)
+    private val guardsOf = HashMap<Int, Map<Int, Int>>()
 
     fun lower(stage: Stage): Shader {
         val interfaces = Interface(emitter)
@@ -40,21 +41,13 @@ internal class Lowering(private val module: Module) {
     }
 
     /** A uniform's initial value is there before anything runs, that of others is assigned. */
-    private fun initialize(
-        pointer: Pointer,
-        value: Value,
-    ) {
+    private fun initialize(pointer: Pointer, value: Value) {
         if (!pointer.variable.isReadOnly) return memory.store(pointer, value)
         for ((i, cell) in value.cells.withIndex()) emitter.initial[pointer.base + i] = emitter.initial[cell]
     }
 
     /** [function] with [arguments], each a [Value] or a [Pointer]; what it returns, or null. */
-    private fun call(
-        function: Function,
-        arguments: List<Any>,
-        caller: Scope,
-        depth: Int,
-    ): Value? {
+    private fun call(function: Function, arguments: List<Any>, caller: Scope, depth: Int): Value? {
         if (depth > MAX_DEPTH) throw UnreadableException("functions call each other more than $MAX_DEPTH deep, or themselves")
         val scope = Scope(module, emitter, globals)
         for ((id, argument) in function.parameters.zip(arguments)) {
@@ -74,7 +67,8 @@ internal class Lowering(private val module: Module) {
         private val labels = function.blocks.associate { it.label to emitter.newLabel() }
         private val end = emitter.newLabel()
         private val outerGuard = emitter.guard
-        private val guardedBy = guards(function)
+        private val guardedBy = guardsOf.getOrPut(function.id) { guards(function) }
+        private val blocks = function.blocks.associateBy { it.label }
         private val branches = HashMap<Int, Emitted>()
         private val phis = HashMap<Int, IntArray>()
 
@@ -99,10 +93,7 @@ internal class Lowering(private val module: Module) {
             return result
         }
 
-        private fun instruction(
-            instruction: Instruction,
-            block: Block,
-        ) {
+        private fun instruction(instruction: Instruction, block: Block) {
             val operands = instruction.operands
             when (instruction.op) {
                 Op.SELECTION_MERGE, Op.LOOP_MERGE -> Unit
@@ -132,17 +123,18 @@ internal class Lowering(private val module: Module) {
         private fun shadow(phi: Instruction) =
             phis.getOrPut(phi.id) { IntArray(scope.type(phi.type).cells) { emitter.cell() } }
 
-        private fun leave(
-            instruction: Instruction,
-            block: Block,
-        ) {
+        private fun leave(instruction: Instruction, block: Block) {
             for (next in successors(block)) passPhis(block.label, next)
             val operands = instruction.operands
 
             fun label(i: Int) = labels.getValue(operands[i])
             when (instruction.op) {
                 Op.BRANCH -> emitter.jump(label(0))
-                Op.BRANCH_CONDITIONAL -> branches[block.label] = emitter.branch(scope.value(operands[0]).cell, label(1), label(2))
+                Op.BRANCH_CONDITIONAL -> {
+                    val branch = emitter.branch(scope.value(operands[0]).cell, label(1), label(2))
+                    branch.isLoopTest = block.instructions.none { it.op == Op.SELECTION_MERGE }
+                    branches[block.label] = branch
+                }
                 Op.SWITCH -> {
                     val targets = (2 until operands.size step 2).associate { operands[it] to label(it + 1) }
                     branches[block.label] = emitter.switch(scope.value(operands[0]).cell, targets, label(1))
@@ -153,12 +145,8 @@ internal class Lowering(private val module: Module) {
             }
         }
 
-        private fun passPhis(
-            from: Int,
-            to: Int,
-        ) {
-            val block = function.blocks.first { it.label == to }
-            for (phi in block.instructions.takeWhile { it.op == Op.PHI }) {
+        private fun passPhis(from: Int, to: Int) {
+            for (phi in blocks.getValue(to).instructions.takeWhile { it.op == Op.PHI }) {
                 val value = (0 until phi.operands.size step 2).find { phi.operands[it + 1] == from } ?: continue
                 val cells = scope.value(phi.operands[value]).cells
                 for ((i, target) in shadow(phi).withIndex()) emitter.emit(Operation.MOVE, target, cells[i])
@@ -177,10 +165,7 @@ internal class Lowering(private val module: Module) {
     }
 
     /** An instruction that neither calls nor goes on elsewhere. */
-    private fun value(
-        instruction: Instruction,
-        scope: Scope,
-    ) {
+    private fun value(instruction: Instruction, scope: Scope) {
         val operands = instruction.operands
         when (instruction.op) {
             Op.LOAD -> scope[instruction.id] = memory.load(scope.pointer(operands[0]))
@@ -196,10 +181,7 @@ internal class Lowering(private val module: Module) {
         }
     }
 
-    private fun computed(
-        instruction: Instruction,
-        scope: Scope,
-    ): Value =
+    private fun computed(instruction: Instruction, scope: Scope): Value =
         when (instruction.op) {
             Op.EXT_INST -> standard.lower(instruction, scope)
             // |dFdx(p)| + |dFdy(p)|

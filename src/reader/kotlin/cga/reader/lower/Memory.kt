@@ -28,10 +28,7 @@ internal class Memory(private val emitter: Emitter) {
         return Value(pointer.type, cells.toIntArray())
     }
 
-    fun store(
-        pointer: Pointer,
-        value: Value,
-    ) {
+    fun store(pointer: Pointer, value: Value) {
         for ((i, cell) in value.cells.withIndex()) {
             val place = pointer.base + i
             if (pointer.dynamic < 0) {
@@ -47,11 +44,7 @@ internal class Memory(private val emitter: Emitter) {
     }
 
     /** The part of what [pointer] points to that [indices] select; [constant] tells the number of an index that is constant, else null. */
-    fun access(
-        pointer: Pointer,
-        indices: List<Value>,
-        constant: (Value) -> Int?,
-    ): Pointer =
+    fun access(pointer: Pointer, indices: List<Value>, constant: (Value) -> Int?): Pointer =
         indices.fold(pointer) { at, index ->
             val number = constant(index)
             if (number != null) {
@@ -66,21 +59,14 @@ internal class Memory(private val emitter: Emitter) {
         }
 
     /** A variable in new cells. */
-    fun variable(
-        name: String,
-        type: Type,
-        storage: Storage,
-    ): Variable {
+    fun variable(name: String, type: Type, storage: Storage): Variable {
         val base = emitter.initial.size
         repeat(type.cells) { emitter.cell(Source.Unset(name)) }
         val isReadOnly = storage == Storage.INPUT || storage == Storage.UNIFORM || storage == Storage.UNIFORM_CONSTANT
         return Variable(name, base, type, isReadOnly).also { emitter.addVariable(it.cells) }
     }
 
-    private fun path(
-        type: Type,
-        index: Int,
-    ) = when (type) {
+    private fun path(type: Type, index: Int) = when (type) {
         is Type.Struct -> "." + type.members[index].name
         is Type.Vector -> "." + "xyzw"[index]
         else -> "[$index]"

@@ -24,17 +24,11 @@ internal class Scope(
 
     fun isPointer(id: Int): Boolean = id in pointers || id in globals?.pointers.orEmpty()
 
-    operator fun set(
-        id: Int,
-        value: Value,
-    ) {
+    operator fun set(id: Int, value: Value) {
         values[id] = value
     }
 
-    operator fun set(
-        id: Int,
-        pointer: Pointer,
-    ) {
+    operator fun set(id: Int, pointer: Pointer) {
         pointers[id] = pointer
     }
 

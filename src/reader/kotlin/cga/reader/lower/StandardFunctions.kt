@@ -22,10 +22,7 @@ internal class StandardFunctions(
     private val arithmetic: Arithmetic,
     private val algebra: Algebra,
 ) {
-    fun lower(
-        instruction: Instruction,
-        scope: Scope,
-    ): Value {
+    fun lower(instruction: Instruction, scope: Scope): Value {
         val type = scope.type(instruction.type)
         val number = instruction.operands[1]
         val name = NAMES.getOrNull(number).orEmpty()
@@ -56,10 +53,7 @@ internal class StandardFunctions(
         "length" to { type, (v) -> length(type, v) },
         "distance" to { type, (a, b) -> length(type, each(a.type, SUB, a, b)) },
         "cross" to { type, (a, b) ->
-            fun rotated(
-                v: Value,
-                by: Int,
-            ) = Value(type, IntArray(3) { v.cells[(it + by) % 3] })
+            fun rotated(v: Value, by: Int) = Value(type, IntArray(3) { v.cells[(it + by) % 3] })
             each(type, SUB, each(type, MUL, rotated(a, 1), rotated(b, 2)), each(type, MUL, rotated(b, 1), rotated(a, 2)))
         },
         "normalize" to { type, (v) -> each(type, MUL, v, each(type.componentType, INVERSE_SQRT, dot(v, v))) },
@@ -75,12 +69,7 @@ internal class StandardFunctions(
         v: Value,
     ) = if (v.cells.size == 1) each(type, Operation.ABS, v) else each(type, SQRT, dot(v, v))
 
-    private fun refract(
-        type: Type,
-        i: Value,
-        n: Value,
-        eta: Value,
-    ): Value {
+    private fun refract(type: Type, i: Value, n: Value, eta: Value): Value {
         val cosine = dot(n, i)
         val sine = each(Type.Float, MUL, each(Type.Float, MUL, eta, eta), each(Type.Float, SUB, number(1.0), product(cosine, cosine)))
         val k = each(Type.Float, SUB, number(1.0), sine)
@@ -89,15 +78,9 @@ internal class StandardFunctions(
         return each(type, SELECT, each(Type.Float, LESS, k, number(0.0)), number(0.0), refracted)
     }
 
-    private fun product(
-        a: Value,
-        b: Value,
-    ) = each(Type.Float, MUL, a, b)
+    private fun product(a: Value, b: Value) = each(Type.Float, MUL, a, b)
 
-    private fun dot(
-        a: Value,
-        b: Value,
-    ) = Value(Type.Float, algebra.dot(a.cells, b.cells))
+    private fun dot(a: Value, b: Value) = Value(Type.Float, algebra.dot(a.cells, b.cells))
 
     private fun number(value: Double) = Value(Type.Float, emitter.constant(value))
 
@@ -110,11 +93,11 @@ internal class StandardFunctions(
     private companion object {
         /** By their numbers in the specification. */
         val NAMES = (
-            " round roundEven trunc abs sAbs sign sSign floor ceil fract radians degrees sin cos tan asin acos atan sinh cosh tanh " +
-                "asinh acosh atanh atan2 pow exp log exp2 log2 sqrt inversesqrt determinant inverse modf modfStruct min uMin sMin max uMax sMax " +
-                "clamp clamp clamp mix iMix step smoothstep fma frexp frexpStruct ldexp packSnorm4x8 packUnorm4x8 packSnorm2x16 " +
-                "packUnorm2x16 packHalf2x16 packDouble2x32 unpackSnorm2x16 unpackUnorm2x16 unpackHalf2x16 unpackSnorm4x8 " +
-                "unpackUnorm4x8 unpackDouble2x32 length distance cross normalize faceforward reflect refract"
+            " round roundEven trunc abs sAbs sign sSign floor ceil fract radians degrees sin cos tan asin acos atan sinh cosh " +
+                "tanh asinh acosh atanh atan2 pow exp log exp2 log2 sqrt inversesqrt determinant inverse modf modfStruct min uMin " +
+                "sMin max uMax sMax clamp clamp clamp mix iMix step smoothstep fma frexp frexpStruct ldexp packSnorm4x8 packUnorm4x8 " +
+                "packSnorm2x16 packUnorm2x16 packHalf2x16 packDouble2x32 unpackSnorm2x16 unpackUnorm2x16 unpackHalf2x16 " +
+                "unpackSnorm4x8 unpackUnorm4x8 unpackDouble2x32 length distance cross normalize faceforward reflect refract"
         ).split(' ')
 
         val DIRECT = mapOf(

@@ -19,10 +19,7 @@ private const val OFFSET = 16
 /** Looks into textures. */
 internal class Textures(private val emitter: Emitter) {
     /** The result, or null where [instruction] is of another sort. */
-    fun lower(
-        instruction: Instruction,
-        scope: Scope,
-    ): Value? {
+    fun lower(instruction: Instruction, scope: Scope): Value? {
         val type = scope.type(instruction.type)
         val operands = instruction.operands
         return when (instruction.op) {
@@ -38,12 +35,7 @@ internal class Textures(private val emitter: Emitter) {
         }.let { Value(type, it) }
     }
 
-    private fun sample(
-        type: Type,
-        scope: Scope,
-        instruction: Instruction,
-        extrasAt: Int,
-    ): IntArray {
+    private fun sample(type: Type, scope: Scope, instruction: Instruction, extrasAt: Int): IntArray {
         val sampler = scope.value(instruction.operands[0])
         val image = sampler.type as Type.Image
         val name = instruction.op.name
@@ -81,21 +73,13 @@ internal class Textures(private val emitter: Emitter) {
         return emit(call)
     }
 
-    private fun look(
-        sampler: Value,
-        where: IntArray,
-        results: Int,
-        operation: Operation,
-    ): IntArray {
+    private fun look(sampler: Value, where: IntArray, results: Int, operation: Operation): IntArray {
         val none = IntArray(0)
         return emit(TextureCall(sampler.cell, where, false, false, -1, -1, -1, none, none, none, results), operation)
     }
 
     /** The cells of the results, one after the other; the instruction names the first, and the call. */
-    private fun emit(
-        call: TextureCall,
-        operation: Operation = TEXTURE,
-    ): IntArray {
+    private fun emit(call: TextureCall, operation: Operation = TEXTURE): IntArray {
         emitter.textures += call
         val cells = IntArray(call.results) { emitter.cell() }
         emitter.emit(operation, cells[0], emitter.textures.size - 1)

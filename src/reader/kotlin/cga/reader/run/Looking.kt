@@ -7,12 +7,7 @@ internal class Looking(private val cells: DoubleArray) {
     private val look = TextureLook()
     private val texel = DoubleArray(4)
 
-    fun sample(
-        call: TextureCall,
-        sampler: Sampler,
-        gradientX: DoubleArray,
-        gradientY: DoubleArray,
-    ): DoubleArray {
+    fun sample(call: TextureCall, sampler: Sampler, gradientX: DoubleArray, gradientY: DoubleArray): DoubleArray {
         look.coordinates = numbers(call.coordinates)
         look.isFetch = call.isFetch
         look.reference = number(call.reference)
@@ -27,10 +22,7 @@ internal class Looking(private val cells: DoubleArray) {
         return result
     }
 
-    fun size(
-        call: TextureCall,
-        sampler: Sampler,
-    ): DoubleArray {
+    fun size(call: TextureCall, sampler: Sampler): DoubleArray {
         val extents = sampler.size(cells[call.coordinates[0]].toInt())
         return DoubleArray(call.results) { extents.getOrElse(it) { 1 }.toDouble() }
     }

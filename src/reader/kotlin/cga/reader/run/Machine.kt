@@ -7,7 +7,6 @@ import cga.reader.shader.Slot
 import cga.reader.tape.Tape
 import kotlin.math.abs
 import kotlin.math.max
-import kotlin.math.min
 import kotlin.math.sqrt
 
 /**
@@ -15,8 +14,8 @@ import kotlin.math.sqrt
  * else begins anew each time. Constants are the floats that GLSL makes of what is written.
  *
  * Where GLSL leaves open what happens, the result is some number and never an exception: an index beyond an array is the nearest one
- * within, an integer divided by 0 is 0, a variable without a value is 0, a power of a negative number is NaN. Derivatives of a lone
- * invocation are 0; see [Quad].
+ * within, an integer divided by 0 is 0, a variable without a value is 0, a power of a negative number is NaN, the larger or smaller of a
+ * number and NaN is the number. Derivatives of a lone invocation are 0; see [Quad].
  */
 public class Machine(public val shader: Shader) {
     private val given = shader.initial.copyOf()
@@ -33,26 +32,17 @@ public class Machine(public val shader: Shader) {
     internal var isInQuad = false
 
     /** Sets a uniform or an input; a matrix column by column, a boolean as 0 or 1. */
-    public operator fun set(
-        slot: Slot,
-        numbers: DoubleArray,
-    ) {
+    public operator fun set(slot: Slot, numbers: DoubleArray) {
         require(numbers.size == slot.size && slot.kind != Kind.SAMPLER) { "${slot.name} takes ${slot.size} numbers, not ${numbers.size}" }
         numbers.copyInto(given, slot.cell)
     }
 
-    public operator fun set(
-        name: String,
-        numbers: DoubleArray,
-    ) {
+    public operator fun set(name: String, numbers: DoubleArray) {
         set(slot(name), numbers)
     }
 
     /** Sets the texture of a sampler. */
-    public operator fun set(
-        slot: Slot,
-        sampler: Sampler,
-    ) {
+    public operator fun set(slot: Slot, sampler: Sampler) {
         val handle = shader.samplers.indexOf(slot)
         require(handle >= 0) { "${slot.name} is no sampler" }
         samplers[handle] = sampler
@@ -66,18 +56,12 @@ public class Machine(public val shader: Shader) {
     private fun slot(name: String) = requireNotNull(shader.slot(name)) { "the shader has no uniform, input or output $name" }
 
     /** Runs it to its end, or for [steps] operations. With a [tape] everything that it does is on it afterwards. */
-    public fun run(
-        tape: Tape? = null,
-        steps: Long = MAX_STEPS,
-    ): Outcome {
+    public fun run(tape: Tape? = null, steps: Long = MAX_STEPS): Outcome {
         begin(tape, steps)
         return checkNotNull(goOn()) { "only in a quad it halts" }
     }
 
-    internal fun begin(
-        tape: Tape?,
-        steps: Long,
-    ) {
+    internal fun begin(tape: Tape?, steps: Long) {
         require(tape == null || tape.shader === shader) { "the tape is another shader's" }
         given.copyInto(cells)
         tape?.begin(cells)
@@ -96,10 +80,7 @@ public class Machine(public val shader: Shader) {
     private fun isTexture(at: Int) = shader.operation(at) == Operation.TEXTURE
 
     /** Goes on after a halt, with how the numbers differ along x and y. */
-    internal fun resume(
-        gradientX: DoubleArray,
-        gradientY: DoubleArray,
-    ): Outcome? {
+    internal fun resume(gradientX: DoubleArray, gradientY: DoubleArray): Outcome? {
         val at = pc * Shader.STRIDE
         if (isTexture(pc)) {
             if (!texture(code[at + 1], gradientX, gradientY)) return Outcome.NO_SAMPLER
@@ -110,21 +91,12 @@ public class Machine(public val shader: Shader) {
         return goOn()
     }
 
-    private fun put(
-        pc: Int,
-        target: Int,
-        value: Double,
-        a: Int,
-    ) {
+    private fun put(pc: Int, target: Int, value: Double, a: Int) {
         cells[target] = value
         tape?.let { it.references[target] = it.add(pc, value, a, a, a) }
     }
 
-    private fun texture(
-        target: Int,
-        gradientX: DoubleArray,
-        gradientY: DoubleArray,
-    ): Boolean {
+    private fun texture(target: Int, gradientX: DoubleArray, gradientY: DoubleArray): Boolean {
         val call = shader.textures[code[pc * Shader.STRIDE + 2]]
         val sampler = samplers.getOrNull(cells[call.sampler].toInt()) ?: return false
         val isSize = shader.operation(pc) == Operation.TEXTURE_SIZE
@@ -157,8 +129,8 @@ public class Machine(public val shader: Shader) {
                 Operation.DIV -> cells[a] / cells[b]
                 Operation.NEG -> -cells[a]
                 Operation.ABS -> abs(cells[a])
-                Operation.MIN -> min(cells[a], cells[b])
-                Operation.MAX -> max(cells[a], cells[b])
+                Operation.MIN -> smaller(cells[a], cells[b])
+                Operation.MAX -> larger(cells[a], cells[b])
                 Operation.SQRT -> sqrt(cells[a])
                 Operation.INVERSE_SQRT -> 1 / sqrt(cells[a])
                 Operation.POW -> power(cells[a], cells[b])
@@ -227,21 +199,13 @@ public class Machine(public val shader: Shader) {
         }
     }
 
-    private fun halt(
-        at: Int,
-        blockStart: Int,
-    ): Outcome? {
+    private fun halt(at: Int, blockStart: Int): Outcome? {
         pc = at
         steps += at + 1 - blockStart
         return null
     }
 
-    private fun next(
-        operation: Operation,
-        a: Int,
-        b: Int,
-        c: Int,
-    ): Int =
+    private fun next(operation: Operation, a: Int, b: Int, c: Int): Int =
         when (operation) {
             Operation.JUMP -> a
             Operation.BRANCH -> if (cells[a] != 0.0) b else c

@@ -14,10 +14,7 @@ public class Quad(shader: Shader) {
     public val machines: List<Machine> = List(4) { Machine(shader).apply { isInQuad = true } }
 
     /** How each ends. [tapes] are none or four. */
-    public fun run(
-        tapes: List<Tape> = emptyList(),
-        steps: Long = Machine.MAX_STEPS,
-    ): List<Outcome> {
+    public fun run(tapes: List<Tape> = emptyList(), steps: Long = Machine.MAX_STEPS): List<Outcome> {
         val outcomes = arrayOfNulls<Outcome>(4)
         for ((i, machine) in machines.withIndex()) {
             machine.begin(tapes.getOrNull(i), steps)
@@ -35,11 +32,7 @@ public class Quad(shader: Shader) {
     }
 
     /** Right minus left, or upper minus lower, whichever of [other] and [i] is which. */
-    private fun difference(
-        other: Int,
-        i: Int,
-        together: List<Int>,
-    ): DoubleArray {
+    private fun difference(other: Int, i: Int, together: List<Int>): DoubleArray {
         val mine = machines[i]
         val cells = mine.exchanged
         if (other !in together) return DoubleArray(cells.size)

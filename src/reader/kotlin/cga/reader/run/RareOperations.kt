@@ -14,12 +14,7 @@ import kotlin.math.sign
 import kotlin.math.truncate
 
 /** Operations that are not worth a place in the loop of [Machine]; [unsigned] of those on integers. */
-internal fun rare(
-    operation: Operation,
-    x: Double,
-    y: Double,
-    unsigned: Boolean,
-): Double =
+internal fun rare(operation: Operation, x: Double, y: Double, unsigned: Boolean): Double =
     when (operation) {
         Operation.MOD -> x - y * floor(x / y)
         Operation.REM -> x - y * truncate(x / y)
@@ -56,11 +51,7 @@ internal fun rare(
     }
 
 /** What is divided by 0 gives 0; GLSL leaves it open. */
-private fun integer(
-    operation: Operation,
-    x: Long,
-    y: Long,
-): Long =
+private fun integer(operation: Operation, x: Long, y: Long): Long =
     when (operation) {
         Operation.INT_SUB -> x - y
         Operation.INT_MUL -> x * y
@@ -87,11 +78,12 @@ internal fun wrapped(
 
 internal fun truth(x: Boolean): Double = if (x) 1.0 else 0.0
 
+internal fun smaller(x: Double, y: Double): Double = if (x < y || y.isNaN()) x else y
+
+internal fun larger(x: Double, y: Double): Double = if (x > y || y.isNaN()) x else y
+
 /** x^y as GLSL has it, which knows no powers of negative numbers. */
-internal fun power(
-    x: Double,
-    y: Double,
-): Double = if (x < 0) Double.NaN else x.pow(y)
+internal fun power(x: Double, y: Double): Double = if (x < 0) Double.NaN else x.pow(y)
 
 /** Element [index] of [count], [stride] cells each; the nearest one where there is none of that index. */
 internal fun place(

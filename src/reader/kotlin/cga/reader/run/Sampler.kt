@@ -3,22 +3,14 @@ package cga.reader.run
 /** A texture with the way it is looked into. */
 public interface Sampler {
     /** Puts what the texture has for [look] into [result], which begins filled with 0: four numbers, or for a shadow sampler one. */
-    public fun sample(
-        look: TextureLook,
-        result: DoubleArray,
-    )
+    public fun sample(look: TextureLook, result: DoubleArray)
 
     /** The extents of level [level] in texels, and the number of layers of an array. */
     public fun size(level: Int): IntArray
 
     public companion object {
         /** The same everywhere, as of a texture of one texel; a shadow sampler gives [red]. */
-        public fun constant(
-            red: Double,
-            green: Double,
-            blue: Double,
-            alpha: Double,
-        ): Sampler =
+        public fun constant(red: Double, green: Double, blue: Double, alpha: Double): Sampler =
             object : Sampler {
                 override fun sample(
                     look: TextureLook,

@@ -8,7 +8,9 @@ import cga.reader.shader.Stage
  * vertex shader does not write; some drivers take such a pair.
  */
 public fun Machine.takeVaryings(vertex: Machine): List<Slot> {
-    require(shader.stage == Stage.FRAGMENT && vertex.shader.stage == Stage.VERTEX) { "varyings go from a vertex shader to a fragment shader" }
+    require(
+        shader.stage == Stage.FRAGMENT && vertex.shader.stage == Stage.VERTEX,
+    ) { "varyings go from a vertex shader to a fragment shader" }
     val written = vertex.shader.outputs.associateBy { it.name }
     val (fed, unfed) = shader.inputs.filter { it.location != null }.partition { written[it.name]?.size == it.size }
     for (input in fed) this[input] = vertex[written.getValue(input.name)]

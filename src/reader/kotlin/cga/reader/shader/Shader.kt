@@ -20,6 +20,8 @@ public class Shader internal constructor(
     private val origins: Array<String>,
     /** The instruction that decides whether this one runs, or -1. */
     internal val guards: IntArray,
+    /** Which instructions decide whether a loop goes on. */
+    internal val loopTests: BooleanArray,
     internal val initial: DoubleArray,
     private val sources: Array<Source?>,
     internal val textures: List<TextureCall>,
@@ -64,10 +66,11 @@ internal class Results(
     val all: Array<Result>,
 )
 
-/** A result: its cells, the [line], the [name] of the variable that it is assigned to or null, and what made it. */
+/** A result: its cells, the [line], the [name] of the variable that it is assigned to or null, what made it, and the branch that decides whether it is there, or -1. */
 internal class Result(
     val cells: IntArray,
     val line: Int,
     val name: String?,
     val origin: String,
+    val guard: Int,
 )

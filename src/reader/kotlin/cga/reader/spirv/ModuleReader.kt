@@ -143,10 +143,7 @@ internal class ModuleReader(private val instructions: List<Instruction>) {
 }
 
 /** [action], where what does not fit SPIR-V's rules is told as a fault of [instruction], or of the whole where that is null. */
-internal fun <T> naming(
-    instruction: Instruction?,
-    action: () -> T,
-): T =
+internal fun <T> naming(instruction: Instruction?, action: () -> T): T =
     try {
         action()
     } catch (e: UnreadableException) {

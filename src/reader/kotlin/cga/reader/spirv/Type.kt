@@ -70,7 +70,7 @@ internal sealed class Type(
         }
 
     private companion object {
-        const val MAX_CELLS = 1 shl 20
+        const val MAX_CELLS = 1 shl 18
         const val MAX_DEPTH = 64
 
         infix fun Type.times(count: Int) = saturated(cells.toLong() * maxOf(count, 0))

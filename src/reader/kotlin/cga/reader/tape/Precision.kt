@@ -46,14 +46,7 @@ internal object Precision {
     private const val HYPERBOLIC_ERROR = 6 * ULP
 
     /** The error of [value], made by [operation] of [x] and [y], which are off by [ex] and [ey]. */
-    fun error(
-        operation: Operation,
-        value: Double,
-        x: Double,
-        ex: Double,
-        y: Double,
-        ey: Double,
-    ): Double =
+    fun error(operation: Operation, value: Double, x: Double, ex: Double, y: Double, ey: Double): Double =
         when (operation) {
             Operation.NEG, Operation.ABS -> ex
             // Where it is clear which one it is, the other does not matter.
@@ -94,24 +87,13 @@ internal object Precision {
         function: (Double) -> Double,
     ) = if (ex == 0.0) 0.0 else max(abs(function(x + ex) - value), abs(function(x - ex) - value))
 
-    private fun quotient(
-        value: Double,
-        ex: Double,
-        y: Double,
-        ey: Double,
-    ): Double {
+    private fun quotient(value: Double, ex: Double, y: Double, ey: Double): Double {
         val smallest = abs(y) - ey
         return if (smallest <= 0) Double.POSITIVE_INFINITY else rounded(value, (ex + abs(value) * ey) / smallest, 2.5)
     }
 
     /** x^y of x ≥ 0, as exp2(y·log2(x)); largest and smallest at the corners of what x and y may be. */
-    private fun power(
-        value: Double,
-        x: Double,
-        ex: Double,
-        y: Double,
-        ey: Double,
-    ): Double {
+    private fun power(value: Double, x: Double, ex: Double, y: Double, ey: Double): Double {
         if (x < 0 || (x <= ex && y <= ey)) return Double.POSITIVE_INFINITY
         val low = max(x - ex, 0.0)
         val corners = listOf(low, x + ex).flatMap { base -> listOf(base.pow(y - ey), base.pow(y + ey)) }
@@ -121,12 +103,7 @@ internal object Precision {
         return max(corners.max() * factor - value, value - corners.min() / factor) + UNDERFLOW
     }
 
-    private fun logarithmic(
-        operation: Operation,
-        value: Double,
-        x: Double,
-        ex: Double,
-    ): Double =
+    private fun logarithmic(operation: Operation, value: Double, x: Double, ex: Double): Double =
         when (operation) {
             Operation.EXP -> rounded(value, spread(value, x, ex, Math::exp), 3 + 2 * abs(x))
             Operation.EXP2 -> rounded(value, spread(value, x, ex) { 2.0.pow(it) }, 3 + 2 * abs(x))
@@ -138,12 +115,7 @@ internal object Precision {
         }
 
     /** x - y·floor(x/y): a step of y where the quotient is nearly whole. */
-    private fun remainder(
-        x: Double,
-        ex: Double,
-        y: Double,
-        ey: Double,
-    ): Double {
+    private fun remainder(x: Double, ex: Double, y: Double, ey: Double): Double {
         val quotient = x / y
         val error = quotient(quotient, ex, y, ey)
         val step = if (floor(quotient - error) == floor(quotient + error)) 0.0 else abs(y)

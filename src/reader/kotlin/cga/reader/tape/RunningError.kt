@@ -64,11 +64,7 @@ public class RunningError(private val tape: Tape) {
     }
 
     /** Where the condition is open, either may come. */
-    private fun select(
-        open: Double,
-        a: Int,
-        b: Int,
-    ): Double {
+    private fun select(open: Double, a: Int, b: Int): Double {
         val taken = if (open == 0.0) 0.0 else abs(tape.value(a) - tape.value(b))
         return taken + max(of(a), of(b))
     }

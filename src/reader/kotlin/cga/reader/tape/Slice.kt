@@ -37,10 +37,7 @@ public class Slice internal constructor(
  * What the numbers of [references] come from, step by step; with [isGuarded] also what decided that those steps ran. That a branch was
  * not taken leaves no trace: what it would have assigned is not known.
  */
-public fun Tape.slice(
-    vararg references: Int,
-    isGuarded: Boolean = false,
-): Slice {
+public fun Tape.slice(vararg references: Int, isGuarded: Boolean = false): Slice {
     val entries = BitSet(size)
     val given = HashSet<Int>()
 

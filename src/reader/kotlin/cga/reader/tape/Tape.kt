@@ -21,6 +21,7 @@ public class Tape(internal val shader: Shader) {
     private var at = IntArray(FIRST_SIZE)
     private var values = DoubleArray(FIRST_SIZE)
     private var guards = IntArray(FIRST_SIZE)
+    private var rounds = IntArray(FIRST_SIZE)
     private var starts = IntArray(FIRST_SIZE + 1)
     private var operands = IntArray(2 * FIRST_SIZE)
     private var sources = DoubleArray(0)
@@ -28,8 +29,9 @@ public class Tape(internal val shader: Shader) {
     /** What each cell holds now, as a reference. */
     internal val references = IntArray(shader.initial.size)
 
-    /** The last entry of each branch. */
+    /** The last entry of each branch, and how often each loop's test ran. */
     private val branches = IntArray(shader.size)
+    private val tests = IntArray(shader.size)
     private val heldResults = ArrayList<TapeResult>()
 
     /** Vectors and matrices as a whole, and what was assigned to variables and given to parameters, in order. */
@@ -44,8 +46,14 @@ public class Tape(internal val shader: Shader) {
     /** What entry [entry] is a part of: a function of GLSL (`normalize`), or an instruction of SPIR-V (`f_mul`, `matrix_times_vector`). */
     public fun origin(entry: Int): String = shader.origin(at[entry])
 
-    /** The number of the operation in the shader: entries of the same number are the same place in it, in different rounds of a loop. */
+    /**
+     * The number of the operation in the shader. Entries of the same place and [round], on one tape or on those of several runs, are the same quantity:
+     * so are values at several points to be compared.
+     */
     public fun place(entry: Int): Int = at[entry]
+
+    /** In which round of the innermost loop around it entry [entry] ran, counted over all times that the loop ran; 0 outside of loops, or where they have no test. */
+    public fun round(entry: Int): Int = rounds[entry]
 
     /** How many operands entry [entry] has. */
     public fun operandCount(entry: Int): Int = starts[entry + 1] - starts[entry]
@@ -74,6 +82,7 @@ public class Tape(internal val shader: Shader) {
         sources = cells.copyInto(if (sources.size == cells.size) sources else DoubleArray(cells.size))
         for (cell in references.indices) references[cell] = cell.inv()
         branches.fill(-1)
+        tests.fill(0)
     }
 
     /** The results that are known before instruction [pc] runs. */
@@ -82,18 +91,14 @@ public class Tape(internal val shader: Shader) {
         for (i in known.starts[pc] until known.starts[pc + 1]) {
             val result = known.all[i]
             val cells = result.cells
-            heldResults += TapeResult(result.name, result.origin, result.line, size, IntArray(cells.size) { references[cells[it]] })
+            val guard = if (result.guard < 0) -1 else branches[result.guard]
+            val references = IntArray(cells.size) { references[cells[it]] }
+            heldResults += TapeResult(result.name, result.origin, result.line, i, if (guard < 0) 0 else rounds[guard], size, references)
         }
     }
 
     /** Adds what instruction [pc] made of the cells [a], [b] and [c], as far as it has so many operands; its entry. */
-    internal fun add(
-        pc: Int,
-        value: Double,
-        a: Int,
-        b: Int,
-        c: Int,
-    ): Int {
+    internal fun add(pc: Int, value: Double, a: Int, b: Int, c: Int): Int {
         val entry = open(pc, value)
         var end = starts[entry]
         val count = shader.operation(pc).operands
@@ -106,11 +111,7 @@ public class Tape(internal val shader: Shader) {
     }
 
     /** Adds a number that a texture gave for what is in [cells]. */
-    internal fun add(
-        pc: Int,
-        value: Double,
-        cells: IntArray,
-    ): Int {
+    internal fun add(pc: Int, value: Double, cells: IntArray): Int {
         val entry = open(pc, value)
         val start = starts[entry]
         while (start + cells.size > operands.size) operands = operands.copyOf(2 * operands.size)
@@ -119,16 +120,21 @@ public class Tape(internal val shader: Shader) {
         return entry
     }
 
-    private fun open(
-        pc: Int,
-        value: Double,
-    ): Int {
+    private fun open(pc: Int, value: Double): Int {
         if (size == at.size) grow()
         val entry = size++
         at[entry] = pc
         values[entry] = value
         val guard = shader.guards[pc]
-        guards[entry] = if (guard < 0) -1 else branches[guard]
+        val guardEntry = if (guard < 0) -1 else branches[guard]
+        guards[entry] = guardEntry
+        rounds[entry] = if (shader.loopTests[pc]) {
+            tests[pc]++
+        } else if (guardEntry < 0) {
+            0
+        } else {
+            rounds[guardEntry]
+        }
         branches[pc] = entry
         return entry
     }
@@ -138,6 +144,7 @@ public class Tape(internal val shader: Shader) {
         at = at.copyOf(size)
         values = values.copyOf(size)
         guards = guards.copyOf(size)
+        rounds = rounds.copyOf(size)
         starts = starts.copyOf(size + 1)
     }
 
@@ -151,6 +158,7 @@ public class Tape(internal val shader: Shader) {
  *
  * @property name of the variable or parameter as GLSL writes it (`spec`, `light.color`), null for what has none.
  * @property origin what made it.
+ * @property place with [round], what is the same for the same quantity in several runs, as [Tape.place] and [Tape.round] are.
  * @property end how many entries the tape had then.
  * @property references one a number.
  */
@@ -158,6 +166,8 @@ public class TapeResult internal constructor(
     public val name: String?,
     public val origin: String,
     public val line: Int,
+    public val place: Int,
+    public val round: Int,
     public val end: Int,
     public val references: IntArray,
 )

@@ -22,6 +22,14 @@ class MachineTest {
     }
 
     @Test
+    fun `the larger of a number and NaN is the number`() {
+        assertEquals(
+            listOf(2.0, 2.0, 0.0, 2.0),
+            color("float x = 0.0 / f; color = vec4(max(x, 2.0), min(2.0, x), clamp(x, 0.0, 1.0), max(2.0, x));", "uniform float f;"),
+        )
+    }
+
+    @Test
     fun `an endless loop ends with its name`() {
         val machine = Machine(fragment("float x = 1.0; while (x > 0.0) x += 1.0; color = vec4(x);"))
         assertEquals(Outcome.TOO_LONG, machine.run())

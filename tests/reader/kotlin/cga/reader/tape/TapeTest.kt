@@ -46,6 +46,15 @@ class TapeTest {
     }
 
     @Test
+    fun `what a branch that is not taken would assign is not there`() {
+        val (_, tape) = run(
+            "vec3 v = vec3(f);\nif (f > g)\nv = vec3(g);\nfor (int i = 0; i < 3; i++)\nif (i != 1) v = vec3(k[i], g, g);\ncolor = v.xyzx;",
+        )
+        assertEquals(listOf(10 to 0, 14 to 0, 14 to 2), tape.results.filter { it.name == "v" }.map { it.line to it.round })
+        assertEquals(listOf("k[2]", "g", "g", "k[2]"), tape.references("color").map { named(tape, it) })
+    }
+
+    @Test
     fun `parameters are results by their own names`() {
         val (_, tape) = run("color = vec4(half_of(f));", "float half_of(float whole) {\nreturn whole * 0.5; }")
         assertEquals("f", named(tape, tape.results.single { it.name == "whole" }.references.single()))
@@ -89,8 +98,16 @@ class TapeTest {
         val sums = tape.entriesOfLine(12).filter { tape.operation(it) == Operation.ADD }
         assertEquals(3, sums.size)
         assertEquals(1, sums.map(tape::place).distinct().size)
+        assertEquals(listOf(0, 1, 2), sums.map(tape::round))
         assertEquals(listOf("k[0]", "k[1]", "k[2]"), sums.map { named(tape, tape.operand(it, 1)) })
         assertEquals(sums.take(2), sums.drop(1).map { tape.operand(it, 0) })
+    }
+
+    @Test
+    fun `a round that is left early counts`() {
+        val (_, tape) = run("for (int i = 0; i < 3; i++) {\nif (i == 1) continue;\nif (f < g) color += k[i] * g;\n}")
+        val products = (0 until tape.size).filter { tape.operation(it) == Operation.MUL }
+        assertEquals(listOf(0 to "k[0]", 2 to "k[2]"), products.map { tape.round(it) to named(tape, tape.operand(it, 0)) })
     }
 
     @Test

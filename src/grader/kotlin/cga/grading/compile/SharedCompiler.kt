@@ -6,11 +6,11 @@ import cga.grading.sandbox.Limits
 import cga.grading.sandbox.SafeFiles
 import cga.grading.sandbox.Sandbox
 import cga.grading.sandbox.Scratch
+import cga.grading.sandbox.Temporary
 import java.io.IOException
 import java.nio.file.Path
 import kotlin.concurrent.thread
 import kotlin.io.path.createDirectories
-import kotlin.io.path.createTempDirectory
 import kotlin.io.path.deleteIfExists
 import kotlin.io.path.exists
 import kotlin.io.path.moveTo
@@ -33,7 +33,7 @@ internal class SharedCompiler(
     own: List<Path>,
     private val libraries: List<Path>,
 ) : AutoCloseable {
-    private val scratch = createTempDirectory("cga-compiler").toRealPath()
+    private val scratch = Temporary.folder("compiler").toRealPath()
     private val files = SharedFiles(scratch)
     private val command = compiler.serviceCommand(own, CompilerService::class.java.name, scratch)
     private val job = Job(command, scratch, compiler.readable + own + libraries, limits = LIMITS)

@@ -4,7 +4,6 @@ import cga.framework.InputError
 import java.io.File
 import java.io.IOException
 import java.nio.file.Files
-import kotlin.io.path.createTempFile
 import kotlin.io.path.deleteIfExists
 import kotlin.io.path.fileSize
 import kotlin.io.path.readText
@@ -15,7 +14,7 @@ internal class ConfinedRun(
 ) : Sandbox {
     override fun run(job: Job): Outcome {
         requireFolders(job)
-        val status = createTempFile("cga-sandbox-status")
+        val status = Temporary.file("status")
         val temporary = confinement.temporaryFolder()
         try {
             val outcome =

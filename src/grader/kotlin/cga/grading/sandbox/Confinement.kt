@@ -4,8 +4,6 @@ import cga.framework.InputError
 import java.nio.file.Files
 import java.nio.file.Path
 import java.util.concurrent.ThreadLocalRandom
-import kotlin.io.path.createTempDirectory
-import kotlin.io.path.createTempFile
 import kotlin.io.path.isSymbolicLink
 import kotlin.io.path.readSymbolicLink
 import kotlin.io.path.writeBytes
@@ -29,7 +27,7 @@ internal class Confinement private constructor(
     fun withoutBounds(): Confinement = Confinement(ownUser, filter, boundsMemoryFiles = false)
 
     /** A new folder that is to be a job's `/tmp`, null where it needs none. To be deleted when the job has ended. */
-    fun temporaryFolder(): Path? = if (boundsMemoryFiles) null else createTempDirectory("cga-sandbox-tmp")
+    fun temporaryFolder(): Path? = if (boundsMemoryFiles) null else Temporary.folder("tmp")
 
     /**
      * The command that runs [job] confined.
@@ -124,7 +122,7 @@ internal class Confinement private constructor(
             if (tools.isNotEmpty()) {
                 throw InputError("no sandbox: ${tools.joinToString()} not found. Install bubblewrap and util-linux. $OTHERWISE")
             }
-            val filter = createTempFile("cga-seccomp").apply { writeBytes(program) }.also { it.toFile().deleteOnExit() }
+            val filter = Temporary.file("seccomp").apply { writeBytes(program) }
             val isRoot = Files.getAttribute(Path.of("/proc/self"), "unix:uid") == 0
             val boundsMemoryFiles = "--size" in said(BWRAP, "--help")
             val ways = (if (isRoot) listOf(true, false) else listOf(false)).map { Confinement(it, filter, boundsMemoryFiles) }
@@ -142,7 +140,7 @@ internal class Confinement private constructor(
 
         /** What [way] says when it is used, null when all is well. */
         private fun tryOut(way: Confinement): String? {
-            val scratch = createTempDirectory("cga-sandbox")
+            val scratch = Temporary.folder("trial")
             return try {
                 val outcome = ConfinedRun(way).run(Job(listOf("true"), scratch, limits = Limits(wallSeconds = 20.0)))
                 if (outcome.isSuccess) null else "${outcome.end} ${outcome.errors.trim()}"

@@ -5,7 +5,7 @@ plugins {
 }
 
 dependencies {
-    api(project(":cli"))
+    api(project(":window"))
     implementation(libs.kotlinx.serialization.json)
     implementation(libs.kotlinx.html)
 

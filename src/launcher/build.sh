@@ -14,7 +14,7 @@ part_of() {
 parts_below() {
     case $1 in
         window) echo scene pictures cli window ;;
-        grader) echo scene pictures cli grader ;;
+        grader) echo scene pictures cli window grader ;;
         lab) echo scene pictures cli window lab ;;
     esac
 }

@@ -5,10 +5,10 @@ import cga.inspect.tune.KnobGroup
 import cga.inspect.tune.LightKnobs
 import cga.inspect.tune.TunedLight
 import cga.inspect.tune.Tuning
-import cga.inspect.ui.Columns
-import cga.inspect.ui.Ui
-import cga.inspect.ui.UiColor
-import cga.inspect.ui.Widgets
+import cga.coach.ui.Columns
+import cga.coach.ui.Ui
+import cga.coach.ui.UiColor
+import cga.coach.ui.Widgets
 import cga.inspect.view.Look
 import cga.inspect.view.View
 import org.joml.Vector3fc

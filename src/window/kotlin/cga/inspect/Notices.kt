@@ -1,8 +1,8 @@
 package cga.inspect
 
 import cga.inspect.doctor.Finding
-import cga.inspect.ui.Ui
-import cga.inspect.ui.UiColor
+import cga.coach.ui.Ui
+import cga.coach.ui.UiColor
 
 /** What the window has to say by itself: an error in a shader, why the picture is dark, that something was done. */
 internal class Notices {

@@ -1,9 +1,9 @@
 package cga.inspect
 
 import cga.framework.GameWindow
-import cga.inspect.ui.Ui
-import cga.inspect.ui.UiColor
-import cga.inspect.ui.UiInput
+import cga.coach.ui.Ui
+import cga.coach.ui.UiColor
+import cga.coach.ui.UiInput
 import cga.inspect.view.Look
 
 /** All that lies over the picture: the panels, the window's own notices, the divider of the split view. Needs the OpenGL context. */

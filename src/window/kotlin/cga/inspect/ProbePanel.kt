@@ -2,11 +2,11 @@ package cga.inspect
 
 import cga.inspect.probe.ProbeText
 import cga.inspect.probe.Probed
-import cga.inspect.ui.Columns
-import cga.inspect.ui.Pencil
-import cga.inspect.ui.Ui
-import cga.inspect.ui.UiColor
-import cga.inspect.ui.Widgets
+import cga.coach.ui.Columns
+import cga.coach.ui.Pencil
+import cga.coach.ui.Ui
+import cga.coach.ui.UiColor
+import cga.coach.ui.Widgets
 
 /** The panel on the left with the numbers of the pixel that was clicked. */
 internal class ProbePanel {

@@ -13,12 +13,13 @@ class LayerTest {
             "framework" to setOf(),
             "exercise" to setOf("framework"),
             "reader" to setOf("framework"),
+            "coach" to setOf("reader", "framework"),
             "reference" to setOf("framework"),
             "imaging" to setOf("framework"),
-            "grading" to setOf("imaging", "reference", "exercise", "framework"),
+            "grading" to setOf("coach", "imaging", "reference", "exercise", "framework"),
             "measure" to setOf("imaging", "reference", "exercise", "framework"),
-            "inspect" to setOf("imaging", "reference", "exercise", "framework"),
-            "cli" to setOf("grading", "measure", "inspect", "imaging", "reference", "exercise", "framework"),
+            "inspect" to setOf("coach", "imaging", "reference", "exercise", "framework"),
+            "cli" to setOf("grading", "measure", "inspect", "coach", "imaging", "reference", "exercise", "framework"),
         )
 
     private val sources = kotlinFiles(

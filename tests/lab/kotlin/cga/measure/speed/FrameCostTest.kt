@@ -1,22 +1,22 @@
 package cga.measure.speed
 
+import cga.coach.calls.Interception
 import cga.exercise.game.Step
 import cga.framework.context.ContextKind
 import cga.framework.context.GlFunctions
 import cga.framework.cooked.CookedFile
 import cga.framework.model.CookedModel
 import cga.framework.model.ModelFile
-import cga.grading.worker.Interception
 import cga.measure.accuracy.choices.PictureSize
 import cga.testing.Offscreen
 import cga.testing.Slow
+import java.nio.file.Path
+import kotlin.io.path.fileSize
 import org.junit.jupiter.api.Assertions.assertEquals
 import org.junit.jupiter.api.Assertions.assertTrue
 import org.junit.jupiter.api.Test
 import org.junit.jupiter.api.io.TempDir
 import org.lwjgl.opengl.GL
-import java.nio.file.Path
-import kotlin.io.path.fileSize
 
 /** What a frame costs that no machine's mood changes. */
 @Slow

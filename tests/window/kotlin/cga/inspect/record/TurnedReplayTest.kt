@@ -9,7 +9,7 @@ import cga.inspect.Clock
 import cga.inspect.ControlPanel
 import cga.inspect.InspectedScene
 import cga.inspect.tune.Tuning
-import cga.inspect.ui.Ui
+import cga.coach.ui.Ui
 import cga.inspect.view.InspectedProgram
 import cga.inspect.view.Look
 import cga.inspect.view.Traffic

@@ -1,6 +1,5 @@
-package cga.inspect.ui
+package cga.coach.ui
 
-import cga.framework.Home
 import org.lwjgl.nuklear.NkAllocator
 import org.lwjgl.nuklear.NkDrawNullTexture
 import org.lwjgl.nuklear.NkFont
@@ -18,7 +17,6 @@ import java.nio.ByteBuffer
  * The letters of the panel, drawn once into a texture: DejaVu Sans, Latin and Greek.
  *
  * @param pixelRatio framebuffer pixels per unit of the window: the letters are drawn that much finer, and take the same room.
- * Throws [cga.framework.InputError] when the font's file cannot be read.
  */
 internal class UiFont(
     allocator: NkAllocator,
@@ -51,7 +49,7 @@ internal class UiFont(
 
     private fun add(): NkFont =
         MemoryStack.stackPush().use { stack ->
-            val bytes = Home.read(FILE, "font")
+            val bytes = UiFiles.read(FILE)
             val file = MemoryUtil.memAlloc(bytes.size).put(bytes).flip()
             val config = nk_font_config(SIZE * pixelRatio, NkFontConfig.malloc(stack)).range(ranges)
             try {
@@ -88,7 +86,7 @@ internal class UiFont(
     }
 
     companion object {
-        private const val FILE = "assets/inspect/DejaVuSans.ttf"
+        private const val FILE = "DejaVuSans.ttf"
 
         /** Height of a line in window units. */
         const val SIZE: Float = 15f

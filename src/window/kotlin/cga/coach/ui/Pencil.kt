@@ -1,4 +1,4 @@
-package cga.inspect.ui
+package cga.coach.ui
 
 import org.lwjgl.nuklear.NkColor
 import org.lwjgl.nuklear.NkContext

@@ -1,4 +1,4 @@
-package cga.grading.worker
+package cga.coach.calls
 
 import org.lwjgl.system.libffi.FFIType
 import org.lwjgl.system.libffi.LibFFI.ffi_type_double

@@ -1,4 +1,4 @@
-package cga.inspect.ui
+package cga.coach.ui
 
 import org.lwjgl.BufferUtils
 import org.lwjgl.nuklear.NkColor

@@ -1,4 +1,4 @@
-package cga.inspect.ui
+package cga.coach.ui
 
 import org.lwjgl.glfw.GLFW.*
 import org.lwjgl.nuklear.NkContext

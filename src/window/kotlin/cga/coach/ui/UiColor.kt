@@ -1,4 +1,4 @@
-package cga.inspect.ui
+package cga.coach.ui
 
 /** The colours of what is written and drawn on and over the panels, 0xRRGGBBAA. */
 internal object UiColor {

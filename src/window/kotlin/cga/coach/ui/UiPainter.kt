@@ -1,7 +1,5 @@
-package cga.inspect.ui
+package cga.coach.ui
 
-import cga.exercise.components.shader.ShaderProgram
-import org.joml.Vector2f
 import org.lwjgl.nuklear.NkBuffer
 import org.lwjgl.nuklear.NkContext
 import org.lwjgl.nuklear.NkConvertConfig
@@ -17,7 +15,7 @@ internal class UiPainter(
     private val commands: NkBuffer,
     private val font: UiFont,
 ) : AutoCloseable {
-    private val program = ShaderProgram("shaders/inspect/ui.vert", "shaders/inspect/ui.frag")
+    private val program = UiProgram()
     private val vertices = MemoryUtil.memAlloc(MAX_VERTEX_BYTES)
     private val indices = MemoryUtil.memAlloc(MAX_INDEX_BYTES)
     private val layout =
@@ -30,7 +28,6 @@ internal class UiPainter(
     private val vao = glGenVertexArrays()
     private val vbo = glGenBuffers()
     private val ibo = glGenBuffers()
-    private val windowSize = Vector2f()
 
     init {
         glBindVertexArray(vao)
@@ -55,9 +52,7 @@ internal class UiPainter(
             glBufferData(GL_ARRAY_BUFFER, vertices, GL_STREAM_DRAW)
             glBufferData(GL_ELEMENT_ARRAY_BUFFER, indices, GL_STREAM_DRAW)
             enableState()
-            program.use()
-            program.setUniform("font", 0)
-            program.setUniform("windowSize", windowSize.set(width.toFloat(), height.toFloat()))
+            program.use(width.toFloat(), height.toFloat())
             drawCommands(height, ratio)
             disableState()
         }
@@ -132,7 +127,7 @@ internal class UiPainter(
     }
 
     override fun close() {
-        program.cleanup()
+        program.close()
         glDeleteVertexArrays(vao)
         glDeleteBuffers(vbo)
         glDeleteBuffers(ibo)

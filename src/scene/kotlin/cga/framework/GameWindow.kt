@@ -102,6 +102,9 @@ public abstract class GameWindow(
 
     override fun getKeyState(key: Int): Boolean = window != NULL && glfwGetKey(window, key) == GLFW_PRESS
 
+    /** GLFW's handle of the open window, 0 before and after. */
+    public val handle: Long get() = window
+
     /** The cursor's last position; the same object every time. */
     public val mousePos: MousePosition get() = mouse
 
@@ -155,7 +158,9 @@ public abstract class GameWindow(
         }
     }
 
-    private fun open() {
+    /** Opens the window and makes its context current, unless that has been done; [run] does it otherwise. Throws [InputError]. */
+    protected open fun open() {
+        if (window != NULL) return
         // Before the window is made: GLFW draws into it at once, and X11 ends the program when it is beyond what the driver can.
         if (maxOf(width, height) > MAX_SIDE) throw InputError("size ${width}x$height is too large for a window: at most $MAX_SIDE a side.")
         Glfw.start(GLFW_ANY_PLATFORM)?.let {

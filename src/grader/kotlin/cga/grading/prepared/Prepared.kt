@@ -9,7 +9,7 @@ internal enum class Kind(
     val reference: String,
 ) {
     /** A folder made by `./cga starter`, filled in. */
-    STARTER("src/scene/kotlin"),
+    STARTER("src/starter/src/main/kotlin"),
 
     /** A project of the course itself. */
     COURSE("tests/submissions/course/src/main/kotlin"),

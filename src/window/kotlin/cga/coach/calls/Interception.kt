@@ -15,10 +15,13 @@ import java.nio.ByteBuffer
  *
  * A call that the observer makes itself goes straight to the driver. Observers must not need memory in calls that LWJGL makes with the
  * garbage collector locked out (those that take Java arrays); they may then take a few small objects, no more.
+ *
+ * @param isObserved tells by a function's name whether calls of it are looked at; the others go straight to the driver.
  */
 public class Interception(
     private val driver: (ByteBuffer) -> Long,
     private val observer: (Call) -> Unit,
+    private val isObserved: (String) -> Boolean = { true },
 ) : FunctionProvider {
     private val hooks = HashMap<String, Hook>()
     private val plans = HashMap<String, FFICIF>()
@@ -28,7 +31,7 @@ public class Interception(
         val address = driver(functionName)
         if (address == 0L) return 0
         val name = MemoryUtil.memASCII(functionName).trimEnd('\u0000')
-        val signature = Signatures.byName[name] ?: return address
+        val signature = Signatures.byName[name]?.takeIf { isObserved(name) } ?: return address
         return hooks.getOrPut(name) { Hook(name, plan(signature), address) }.native
     }
 

@@ -23,11 +23,13 @@ internal object Signatures {
         glClearBufferiv=viip glClearBufferuiv=viip glClearColor=vffff glClearDepth=vd glClearStencil=vi glColorMask=vzzzz
         glCompileShader=vi glCopyBufferSubData=viilll glCopyTexImage2D=viiiiiiii glCopyTexSubImage2D=viiiiiiii glCreateProgram=i
         glCreateShader=ii glCullFace=vi glDeleteBuffers=vip glDeleteFramebuffers=vip glDeleteProgram=vi glDeleteShader=vi
+        glDeleteQueries=vip glDeleteRenderbuffers=vip glDeleteSamplers=vip
         glDeleteTextures=vip glDeleteVertexArrays=vip glDepthFunc=vi glDepthMask=vz glDepthRange=vdd glDetachShader=vii glDisable=vi
         glDisableVertexAttribArray=vi glDrawArrays=viii glDrawArraysInstanced=viiii glDrawBuffer=vi glDrawBuffers=vip glDrawElements=viiip
         glDrawElementsBaseVertex=viiipi glDrawElementsInstanced=viiipi glDrawElementsInstancedBaseVertex=viiipii
         glDrawRangeElements=viiiiip glDrawRangeElementsBaseVertex=viiiiipi glEnable=vi glEnableVertexAttribArray=vi
         glFramebufferRenderbuffer=viiii glFramebufferTexture2D=viiiii glFrontFace=vi glGenBuffers=vip glGenFramebuffers=vip
+        glGenQueries=vip glGenRenderbuffers=vip glGenSamplers=vip
         glGenTextures=vip glGenVertexArrays=vip glGenerateMipmap=vi glGetAttribLocation=iip glGetError=i glGetIntegerv=vip
         glGetProgramiv=viip glGetShaderiv=viip glGetUniformLocation=iip glHint=vii glIsEnabled=zi glLineWidth=vf glLinkProgram=vi
         glMapBuffer=pii glMapBufferRange=pilli glMultiDrawArrays=vippi glMultiDrawElements=vipipi glMultiDrawElementsBaseVertex=vipipip

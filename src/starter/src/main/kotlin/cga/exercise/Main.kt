@@ -3,6 +3,5 @@ package cga.exercise
 import cga.exercise.game.Game
 
 fun main() {
-    println(Game.HELP)
-    Game().run()
+    Game(1280, 720).run()
 }

@@ -70,7 +70,7 @@ public class StarterFiles(
 
     /** Maven cannot read the catalogue of versions: `@lwjgl@` in its file becomes what it says of `lwjgl`. */
     private fun withVersions(name: String, content: ByteArray): ByteArray {
-        if (name != "pom.xml") return content
+        if (!name.endsWith("pom.xml")) return content
         val versions = text(CATALOGUE).substringAfter("[versions]").substringBefore("\n[")
         return Regex("@(\\w+)@").replace(content.decodeToString()) { match ->
             val wanted = match.groupValues[1]

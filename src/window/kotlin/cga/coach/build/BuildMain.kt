@@ -20,7 +20,8 @@ import kotlin.system.exitProcess
  * saved. It says in a status file what came of it: first the folder of the newest classes, empty while there are none, then what the compiler
  * has against the sources as they are.
  *
- * Arguments: the folder to work in, and the class path of the program. The compiler is on the class path of this process; it is found by its name.
+ * Arguments: the folder to work in, and the class path of the program. The compiler is on the class path of this process, and is found by its
+ * name.
  */
 public object BuildMain {
     @JvmStatic
@@ -70,7 +71,8 @@ internal class Build(
 
     /** The file with a `main` that makes a game, as a class. */
     private fun mainClass(): String {
-        val file = kotlinFiles().firstOrNull { file -> file.readLines().any { it.startsWith("fun main(") } } ?: sources.resolve("cga/exercise/Main.kt")
+        val isMain = { file: Path -> file.readLines().any { it.startsWith("fun main(") } }
+        val file = kotlinFiles().firstOrNull(isMain) ?: sources.resolve("cga/exercise/Main.kt")
         val packageName = sources.relativize(file.parent).joinToString(".")
         return "$packageName.${file.fileName.toString().removeSuffix(".kt")}Kt".removePrefix(".")
     }
@@ -109,8 +111,8 @@ internal class Build(
         classes: Path,
     ): String {
         val arguments =
-            listOf("-no-stdlib", "-no-reflect", "-nowarn", "-jvm-target", "17", "-module-name", "exercise", "-cp", libraries, "-d", "$classes") +
-                kotlinFiles().map { "$it" }
+            listOf("-no-stdlib", "-no-reflect", "-nowarn", "-jvm-target", "17", "-module-name", "exercise") +
+                listOf("-cp", libraries, "-d", "$classes") + kotlinFiles().map { "$it" }
         val compiler = Class.forName("org.jetbrains.kotlin.cli.jvm.K2JVMCompiler")
         val exec = compiler.getMethod("exec", PrintStream::class.java, Array<String>::class.java)
         return "${exec.invoke(compiler.getConstructor().newInstance(), log, arguments.toTypedArray())}"

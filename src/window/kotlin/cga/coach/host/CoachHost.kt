@@ -23,7 +23,10 @@ public class CoachHost : Host {
     override val mouseX: Double get() = open.inputs.mouseX
     override val mouseY: Double get() = open.inputs.mouseY
 
-    override fun open(stage: Stage): Unit = open(WindowWish.of(stage))
+    override fun open(stage: Stage) {
+        open(WindowWish.of(stage))
+        open.setTitle(stage.title)
+    }
 
     private fun open(wish: WindowWish) {
         if (opened == null) orElse { opened = CoachWindow(wish).apply { open() } }

@@ -85,7 +85,7 @@ internal class CoachWindow(private val wish: WindowWish) :
         val folder = origin.classes
         overlay.complaint =
             when {
-                complaint != null -> Trouble.ofCompiler(complaint, Trouble.OLD_STAYS)
+                complaint != null -> Trouble.ofCompiler(complaint, player.cure)
                 folder == null -> null
                 else -> {
                     val code = StudentCode(folder)

@@ -11,7 +11,7 @@ internal class Keys private constructor(
         /** All that are not the program's own. */
         val ALL: List<Keys> =
             listOf(
-                Keys("Tab", say("panel: the mouse is free, the right button turns the camera", "Tafel: Die Maus ist frei, die rechte Taste dreht die Kamera")),
+                Keys("Tab", say("panel and cursor; the right button turns the camera", "Tafel und Cursor; die rechte Taste dreht die Kamera")),
                 Keys("H, F1", say("these keys", "diese Tasten")),
                 Keys("P", say("time stands still, or goes on", "Zeit anhalten oder weiterlaufen lassen")),
                 Keys("R", say("load the program anew; time and drive go on", "Programm neu laden; Zeit und Fahrt gehen weiter")),

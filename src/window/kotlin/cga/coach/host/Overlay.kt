@@ -49,7 +49,7 @@ internal class Overlay(
     ): Boolean {
         if (!look.isOpen) return false
         ui.input.key(key, action)
-        return ui.isTypingIn(Panel.title)
+        return ui.isTypingIn(Panel.TITLE)
     }
 
     fun move(

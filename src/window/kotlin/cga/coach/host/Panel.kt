@@ -15,7 +15,7 @@ internal class Panel(
         width: Float,
         height: Float,
     ) {
-        ui.panel(title, width - WIDTH - MARGIN, MARGIN, WIDTH, height - 2 * MARGIN) {
+        ui.panel(TITLE, width - WIDTH - MARGIN, MARGIN, WIDTH, height - 2 * MARGIN) {
             buttons()
             figures()
         }
@@ -44,7 +44,7 @@ internal class Panel(
         const val TAKES: Float = 334f
         private const val WIDTH = 320f
         private const val MARGIN = 7f
-        val title: String = say("Coach", "Coach")
+        const val TITLE: String = "Coach"
         private val TWO = Columns(0.6f, 0.4f)
         private val THREE = Columns(0.34f, 0.33f, 0.33f)
     }

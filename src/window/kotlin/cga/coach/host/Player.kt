@@ -21,6 +21,9 @@ internal class Player(
     private val lastPicture = LastPicture()
     private var running: Running? = null
 
+    /** What becomes of a program that does not start. */
+    val cure: String get() = if (running == null) Trouble.AGAIN else Trouble.OLD_STAYS
+
     /** What goes wrong with the program that plays, or null. */
     var trouble: Trouble? = null
         private set
@@ -82,9 +85,8 @@ internal class Player(
         problem: Throwable,
         isTheirs: (String) -> Boolean,
     ): Trouble {
-        val cure = if (running == null) say("Save again: it is read by itself.", "Nach dem Speichern wird neu gelesen.") else Trouble.OLD_STAYS
         watch.refused?.let { return Trouble.ofShader(it.source, it.log, cure) }
-        return Trouble.of(problem, say("the start", "der Start-Phase"), cure, isTheirs)
+        return Trouble.of(problem, say("the start", "beim Start"), cure, isTheirs)
     }
 
     /** Draws a few pixels first: a shader that loops would hold up the window for minutes. */
@@ -104,7 +106,7 @@ internal class Player(
                 "%d×%d pixels take %.1f s: a shader or render() loops without an end.",
                 "%d×%d Pixel brauchen %.1f s: Ein Shader oder render() enthält eine Schleife ohne Ende.",
             ).format(TRIAL, TRIAL, seconds)
-        return Trouble(say("Too slow to be shown", "Zu langsam zum Anzeigen"), listOf(found), Trouble.OLD_STAYS)
+        return Trouble(say("Too slow to be shown", "Zu langsam zum Anzeigen"), listOf(found), cure)
     }
 
     /** How long a picture takes, in seconds. */

@@ -27,9 +27,9 @@ internal class Trouble(
         private const val INDENT = "    "
         private const val MOST_FRAMES = 4
 
-        val OLD_STAYS: String get() = say("What ran before goes on. Save again: it is read by itself.", "Was vorher lief, läuft weiter. Nach dem Speichern wird neu gelesen.")
-        val PICTURE_STAYS: String
-            get() = say("The last good picture stays. Save again: it is read by itself.", "Das letzte gute Bild bleibt. Nach dem Speichern wird neu gelesen.")
+        val AGAIN: String get() = say("Mend it and save: it is read by itself.", "Verbessern und speichern: Es wird von selbst neu gelesen.")
+        val OLD_STAYS: String get() = say("What ran before goes on. ", "Was vorher lief, läuft weiter. ") + AGAIN
+        val PICTURE_STAYS: String get() = say("The last good picture stays. ", "Das letzte gute Bild bleibt. ") + AGAIN
 
         /** The compiler's [messages]. */
         fun ofCompiler(
@@ -55,7 +55,7 @@ internal class Trouble(
                 }
                 frames.drop(1).forEach { add(say("called by", "aufgerufen von") + " ${it.fileName}:${it.lineNumber}") }
             }
-            return Trouble(say("An exception in $where", "Eine Exception in $where"), lines, cure)
+            return Trouble("Exception: $where", lines, cure)
         }
 
         /** A shader that the driver refuses: [log] is what it says of [source]. */
@@ -63,7 +63,10 @@ internal class Trouble(
             source: String,
             log: String,
             cure: String,
-        ): Trouble = Trouble(say("The shader does not compile", "Der Shader lässt sich nicht übersetzen"), ShaderLog.explain(SourceFiles.shaderNamed(source), source, log), cure)
+        ): Trouble {
+            val lines = ShaderLog.explain(SourceFiles.shaderNamed(source), source, log)
+            return Trouble(say("The shader does not compile", "Der Shader lässt sich nicht übersetzen"), lines, cure)
+        }
 
         private const val LONGEST = 600
     }
@@ -93,7 +96,9 @@ internal object SourceFiles {
     private fun plain(text: String) = text.replace("\r\n", "\n").trim()
 
     private fun files(): List<Path> =
-        FOLDERS.map(Path::of).filter(Files::exists).flatMap { folder -> Files.walk(folder).use { paths -> paths.filter { it.isRegularFile() }.toList() } }
+        FOLDERS.map(Path::of).filter(Files::exists).flatMap { folder ->
+            Files.walk(folder).use { paths -> paths.filter { it.isRegularFile() }.toList() }
+        }
 }
 
 /** Reads the logs of OpenGL's compilers. */

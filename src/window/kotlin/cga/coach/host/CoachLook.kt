@@ -1,7 +1,7 @@
 package cga.coach.host
 
 /** What a key or a button wants done before the next picture. */
-internal enum class Wish { RELOAD, RESTART, SCREENSHOT }
+internal enum class Wish { RELOAD, RESTART, SCREENSHOT, CLOSE }
 
 /** What of the window is open, and what is wanted of it. */
 internal class CoachLook {

@@ -1,10 +1,13 @@
 package cga.coach.host
 
 import cga.coach.Program
+import cga.coach.numbers.Numbers
+import cga.coach.numbers.Sources
 import cga.framework.GameWindow
 import cga.framework.InputError
 import cga.framework.image.PngFile
 import org.lwjgl.glfw.GLFW.*
+import org.lwjgl.opengl.GL33C.glViewport
 import java.nio.file.Files
 import java.nio.file.Path
 
@@ -12,9 +15,11 @@ import java.nio.file.Path
 internal class CoachWindow(private val wish: WindowWish) :
     GameWindow(wish.width, wish.height, wish.fullscreen, wish.vsync, 3, 3, wish.title, wish.samples, wish.frequency) {
     val inputs = Inputs(updateStep)
-    private val watch = GlWatch()
+    private val numbers = Numbers()
+    private val watch = GlWatch(numbers)
     private lateinit var player: Player
     private lateinit var overlay: Overlay
+    private lateinit var sources: Sources
     private var origin: Origin? = null
     private var load: (Loaded) -> Program = { error("nothing to load") }
     private var first: Program? = null
@@ -43,7 +48,8 @@ internal class CoachWindow(private val wish: WindowWish) :
 
     override fun start() {
         player = Player(watch, inputs)
-        overlay = Overlay(this, player, look, Panel(player, look))
+        sources = Sources(numbers) { player.guard("render") { player.program?.render(0f, inputs.time.toFloat()) } }
+        overlay = Overlay(this, player, look, Panel(player, look, numbers, sources, TaskReader.NONE::read))
         classes = Watch({ origin?.watched.orEmpty() }) { it.endsWith(".class") || it.endsWith(".status") }
         files = Watch({ FILES.map(Path::of) }) { !it.startsWith(".") && !it.endsWith("~") }
         val program = first
@@ -72,10 +78,20 @@ internal class CoachWindow(private val wish: WindowWish) :
         val filesChanged = files.hasChanged()
         val wish = look.take()
         if (wish == Wish.RESTART) inputs.forget()
+        if (wish == Wish.CLOSE) openPanel(false)
         if (codeChanged || filesChanged || wish == Wish.RELOAD || wish == Wish.RESTART) reload()
+        watch.isCloser = look.isOpen || numbers.isAnyChanged
+        numbers.nextPicture()
         player.render(dt, framebufferWidth, framebufferHeight)
+        if (look.isOpen && player.trouble == null) lookAtSources()
         if (wish == Wish.SCREENSHOT) saveScreenshot()
         overlay.draw(currentTime)
+    }
+
+    private fun lookAtSources() {
+        if (sources.isDone) return
+        sources.step()
+        glViewport(0, 0, framebufferWidth, framebufferHeight)
     }
 
     /** Takes the program as it is on disk now; where that fails, what ran before goes on. */
@@ -90,12 +106,18 @@ internal class CoachWindow(private val wish: WindowWish) :
                 else -> {
                     val code = StudentCode(folder)
                     player.replace(framebufferWidth, framebufferHeight, code::has) { load(Loaded(code, origin.mainClass)) }.also {
-                        if (it == null) overlay.say(say("reloaded", "neu geladen"), currentTime)
+                        if (it == null) reloaded()
                     }
                 }
             }
         overlay.isWaiting = folder == null && complaint == null
         reportComplaint()
+    }
+
+    private fun reloaded() {
+        numbers.forgetPrograms()
+        sources.begin()
+        overlay.say(say("reloaded", "neu geladen"), currentTime)
     }
 
     private fun reportComplaint() {
@@ -187,6 +209,7 @@ internal class CoachWindow(private val wish: WindowWish) :
         files.close()
         player.close()
         overlay.close()
+        numbers.close()
     }
 
     private companion object {

@@ -3,8 +3,8 @@ package cga.reference
 import cga.framework.Frame
 import cga.framework.FrameCone
 import cga.framework.FrameDraw
-import cga.framework.FrameMaterial
 import cga.framework.FrameLight
+import cga.framework.FrameMaterial
 import cga.framework.FrameTexture
 import cga.framework.SpecularModel
 import cga.framework.image.ImageData

@@ -35,13 +35,11 @@ internal class GlAgainstTruthTerm(
         }
 
     companion object {
-        fun all(frame: Frame): List<GlAgainstTruthTerm> {
-            return listOf(GlAgainstTruthTerm(-1, false, "emission")) +
-                frame.lights.flatMapIndexed { i, light ->
-                    val name = if (light.cone == null) "point light ${i + 1}" else "spotlight"
-                    listOf(GlAgainstTruthTerm(i, false, "$name diffuse"), GlAgainstTruthTerm(i, true, "$name specular"))
-                }
-        }
+        fun all(frame: Frame): List<GlAgainstTruthTerm> = listOf(GlAgainstTruthTerm(-1, false, "emission")) +
+            frame.lights.flatMapIndexed { i, light ->
+                val name = if (light.cone == null) "point light ${i + 1}" else "spotlight"
+                listOf(GlAgainstTruthTerm(i, false, "$name diffuse"), GlAgainstTruthTerm(i, true, "$name specular"))
+            }
     }
 }
 

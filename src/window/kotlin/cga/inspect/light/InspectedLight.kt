@@ -30,7 +30,10 @@ internal open class InspectedLight(
     open fun groups(): List<KnobGroup> =
         listOf(
             KnobGroup("colour L", axes("red", "green", "blue", 0f, MAX_COLOR, { light.lightColor }, setColor)),
-            KnobGroup("position, in the space of its parent", axes("x", "y", "z", -MAX_DISTANCE, MAX_DISTANCE, { light.getPosition() }, ::place)),
+            KnobGroup(
+                "position, in the space of its parent",
+                axes("x", "y", "z", -MAX_DISTANCE, MAX_DISTANCE, { light.getPosition() }, ::place),
+            ),
             KnobGroup(ATTENUATION, axes("K_c", "K_l", "K_q", 0f, MAX_ATTENUATION, { light.attenuation }, ::attenuate)),
         )
 
@@ -96,7 +99,8 @@ private class InspectedSpotLight(override val light: SpotLight) : InspectedLight
 
     override fun code(): String {
         val (inner, outer) = light.getCone(angles).run { x to y }
-        val numbers = listOf(literal(light.getPosition()), literal(light.lightColor), literal(inner), literal(outer), literal(light.attenuation))
+        val numbers =
+            listOf(literal(light.getPosition()), literal(light.lightColor), literal(inner), literal(outer), literal(light.attenuation))
         return "SpotLight(${numbers.joinToString()}) // ${degrees(inner)}° and ${degrees(outer)}°"
     }
 

@@ -22,7 +22,8 @@ class TemporaryTest {
     private fun start(): Process {
         val command = CgaProcess.command("cga.grading.sandbox.TemporaryTestKt", emptyList(), projectRoot.toPath())
         val process = ProcessBuilder(listOf(command.first(), "-Djava.io.tmpdir=$folder") + command.drop(1))
-            .redirectError(ProcessBuilder.Redirect.INHERIT).start()
+            .redirectError(ProcessBuilder.Redirect.INHERIT)
+            .start()
         assertTrue(Path.of(process.inputReader().readLine()).exists())
         return process
     }

@@ -2,8 +2,8 @@ package cga.exercise.game
 
 import cga.framework.ColorFormat
 import cga.framework.Frame
-import cga.framework.FrameDraw
 import cga.framework.FrameCone
+import cga.framework.FrameDraw
 import cga.framework.FrameLight
 import cga.framework.FrameTexture
 import cga.framework.RenderTarget

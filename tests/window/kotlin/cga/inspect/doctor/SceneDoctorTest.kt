@@ -63,9 +63,19 @@ class SceneDoctorTest {
     fun `no light is bound`() {
         val evidence = evidence {
             object : Program(it) {
-                override fun setUniform(name: String, value: Vector3fc) = if (name.startsWith("light")) Unit else super.setUniform(name, value)
+                override fun setUniform(
+                    name: String,
+                    value: Vector3fc,
+                ) = if (name.startsWith("light")) Unit else super.setUniform(name, value)
 
-                override fun setUniform(name: String, value: Vector2fc) = if (name.startsWith("light")) Unit else super.setUniform(name, value)
+                override fun setUniform(name: String, value: Vector2fc) = if (name.startsWith(
+                        "light",
+                    )
+                ) {
+                    Unit
+                } else {
+                    super.setUniform(name, value)
+                }
             }
         }
         assertTrue(evidence.isUnlit)

@@ -4,8 +4,8 @@ import cga.exercise.game.ScriptedScene
 import cga.framework.Frame
 import cga.framework.FrameCone
 import cga.framework.FrameDraw
-import cga.framework.FrameMaterial
 import cga.framework.FrameLight
+import cga.framework.FrameMaterial
 import cga.framework.FrameTexture
 import cga.framework.SpecularModel
 import cga.framework.image.ImageData

@@ -140,9 +140,13 @@ list_classpath() {
 }
 
 build_failed() {
-    # The compiler's lines, each once, without what Maven says of itself.
-    awk '/^(e: |\[ERROR\] .|[*>] What)/ && !/Help 1|e-run Maven|For more information|mvn <args>|After correcting/ && !seen[$0]++' "$log" |
-        head -n 20 >&2
+    # The compiler's lines, each once, without what Maven says of itself; where there are none, the step that failed.
+    awk '/^(e: |\[ERROR\] .|[*>] What)/ && !/\] \[Help|e-run Maven|For more information|mvn <args>|After correcting/ {
+            sub(/ -> \[Help [0-9]+\]$/, "")
+            if (/Failed to execute goal/) step = $0
+            else if (!seen[$0]++) { print; said = 1 }
+        }
+        END { if (!said && step != "") print step }' "$log" | head -n 20 >&2
     die "the build failed; all that $tool said: $log"
 }
 

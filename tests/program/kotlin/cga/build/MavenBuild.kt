@@ -42,8 +42,8 @@ private class MavenBuild(pom: String, parts: Map<String, String>) {
     /** The parts whose tests the profile `together` has in one list. */
     private fun together(): List<String> {
         val profile = parts.getValue("program").child("profiles").children().single { it.value("id") == "together" }
-        val folders = profile.getElementsByTagName("resource").let { list -> (0 until list.length).map { list.item(it).textContent.trim() } }
-        return folders.map { it.removeSurrounding("../../target/", "/test-classes") }
+        val folders = profile.getElementsByTagName("resource")
+        return List(folders.length) { folders.item(it).textContent.trim().removeSurrounding("../../target/", "/test-classes") }
     }
 
     private fun sources(element: String): String {

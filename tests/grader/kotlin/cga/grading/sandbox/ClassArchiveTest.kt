@@ -67,7 +67,7 @@ class ClassArchiveTest {
     fun `a class whose name has blanks, as those of tests, is left out`() {
         val tests = folder.resolve("tests.jar")
         JarOutputStream(tests.outputStream()).use { it.putNextEntry(JarEntry("org/joml/a name with blanks.class")) }
-        val path = libraries + tests
+        val path = libraries + listOf(tests)
         val archive = ClassArchive.of(folder, "tests", path, WorkerFiles.FLAGS, listOf("org/joml/"), listOf { listOf(MAIN) })
         assertTrue(sources(archive, path).single().endsWith("shared objects file")) { "${sources(archive, path)}" }
     }

@@ -46,6 +46,10 @@ public abstract class GameWindow(
     public var pixelRatio: Float = 1f
         private set
 
+    /** Framebuffer pixels for what should be a pixel's size to read by: the monitor's scale, whether or not the window system applies it. */
+    public var contentScale: Float = 1f
+        private set
+
     /** Time of the last update in seconds since [run] began: the number of updates times their length, so it never drifts. */
     public val currentTime: Double get() = updates * updateStep
 
@@ -206,6 +210,9 @@ public abstract class GameWindow(
         val windowWidth = IntArray(1)
         glfwGetWindowSize(window, windowWidth, null)
         if (windowWidth[0] > 0) pixelRatio = w.toFloat() * INJECTED_RATIO / windowWidth[0]
+        val scale = FloatArray(1)
+        glfwGetWindowContentScale(window, scale, FloatArray(1))
+        contentScale = maxOf(scale[0], pixelRatio)
     }
 
     private fun loop() {

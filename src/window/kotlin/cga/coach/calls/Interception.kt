@@ -20,8 +20,8 @@ import java.nio.ByteBuffer
  */
 public class Interception(
     private val driver: (ByteBuffer) -> Long,
-    private val observer: (Call) -> Unit,
     private val isObserved: (String) -> Boolean = { true },
+    private val observer: (Call) -> Unit,
 ) : FunctionProvider {
     private val hooks = HashMap<String, Hook>()
     private val plans = HashMap<String, FFICIF>()

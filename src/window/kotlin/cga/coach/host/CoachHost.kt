@@ -3,6 +3,7 @@ package cga.coach.host
 import cga.coach.Host
 import cga.coach.Program
 import cga.coach.Stage
+import cga.coach.ui.say
 import cga.framework.InputError
 import java.nio.file.Path
 import kotlin.system.exitProcess

@@ -4,7 +4,6 @@ import cga.coach.calls.Call
 import cga.coach.calls.Interception
 import cga.coach.numbers.Numbers
 import cga.framework.context.GlFunctions
-import org.lwjgl.glfw.GLFW.glfwGetProcAddress
 import org.lwjgl.opengl.GL
 import org.lwjgl.opengl.GL33C.*
 import org.lwjgl.opengl.GLCapabilities
@@ -19,30 +18,48 @@ internal class GlWatch(private val numbers: Numbers) {
 
     /** What the driver says of the last shader that it refused, or null. */
     var refused: RefusedShader? = null
-    private var observed = START
-    private val interception = Interception({ glfwGetProcAddress(it) }, ::observe, { it in observed })
-    private var usual: GLCapabilities? = null
-    private var closer: GLCapabilities? = null
+    private var observed: (String) -> Boolean = START::contains
 
-    /** Whether the calls of a frame are looked at. */
+    /** Told every call, while there is one. */
+    var inspection: Inspection? = null
+        set(value) {
+            field = value
+            choose()
+        }
+    private val usual = Functions(START::contains)
+    private val closer = Functions { it in START || it in Numbers.FUNCTIONS }
+    private val all = Functions { true }
+    private var isStarted = false
+
+    /** Whether the numbers of a frame are looked at. */
     var isCloser: Boolean = false
         set(value) {
-            if (field == value || usual == null) return
+            if (field == value) return
             field = value
-            if (value && closer == null) {
-                observed = START + Numbers.FUNCTIONS
-                closer = GL.createCapabilities(true)
-            }
-            GL.setCapabilities(if (value) closer else usual)
+            choose()
         }
+
+    private fun choose() {
+        if (!isStarted) return
+        val wanted = if (inspection != null) all else if (isCloser) closer else usual
+        observed = wanted.isObserved
+        GL.setCapabilities(wanted.capabilities)
+    }
+
+    /** OpenGL's functions with some of them observed; looked up when they are first wanted. */
+    private inner class Functions(val isObserved: (String) -> Boolean) {
+        val capabilities: GLCapabilities by lazy { GL.createCapabilities(true) }
+    }
 
     /** Puts itself between LWJGL and the driver of the current context; where LWJGL does not let it, nothing is seen. */
     fun start() {
+        val driver = checkNotNull(GL.getFunctionProvider()) { "no OpenGL context is current" }
         try {
-            GlFunctions.load(interception::getFunctionAddress)
-            usual = GL.getCapabilities()
+            GlFunctions.load(Interception(driver::getFunctionAddress, { observed(it) }, ::observe)::getFunctionAddress)
+            isStarted = true
+            choose()
         } catch (_: LinkageError) {
-            GlFunctions.load { glfwGetProcAddress(it) }
+            GlFunctions.load(driver::getFunctionAddress)
         }
     }
 
@@ -51,6 +68,7 @@ internal class GlWatch(private val numbers: Numbers) {
         if (call.name in Numbers.FUNCTIONS) numbers.change(call)
         call.proceed()
         if (call.name == "glCompileShader") shader(call.int(0)) else objects.note(call)
+        inspection?.note(call)
     }
 
     private fun shader(shader: Int) {

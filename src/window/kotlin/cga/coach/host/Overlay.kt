@@ -2,6 +2,8 @@ package cga.coach.host
 
 import cga.coach.ui.Ui
 import cga.coach.ui.UiColor
+import cga.coach.ui.keys
+import cga.coach.ui.say
 import cga.framework.GameWindow
 
 /** All that lies over the student's picture: what goes wrong, what is told for a moment, the panel, the keys. Needs the context. */
@@ -11,10 +13,13 @@ internal class Overlay(
     private val look: CoachLook,
     private val panel: Panel,
 ) : AutoCloseable {
-    private val ui = Ui(window.pixelRatio)
+    private val ui = Ui(window.contentScale)
     private val state = GlState()
-    private val width get() = window.framebufferWidth / window.pixelRatio
-    private val height get() = window.framebufferHeight / window.pixelRatio
+    private val width get() = window.framebufferWidth / window.contentScale
+    private val height get() = window.framebufferHeight / window.contentScale
+
+    /** Of the panels' units so many are one of the cursor's. */
+    private val ratio get() = window.pixelRatio / window.contentScale
     private var note = ""
     private var noteEnd = 0.0
 
@@ -25,7 +30,7 @@ internal class Overlay(
     var isWaiting = false
 
     /** Whether the mouse is over one of the panels. */
-    val isMouseOver: Boolean get() = look.isOpen && ui.isOver(window.mousePos.xpos.toFloat(), window.mousePos.ypos.toFloat())
+    val isMouseOver: Boolean get() = look.isOpen && ui.isOver(window.mousePos.xpos.toFloat() * ratio, window.mousePos.ypos.toFloat() * ratio)
 
     /** Says how everything else is found, from [time] (seconds) on. */
     fun start(time: Double) {
@@ -56,7 +61,7 @@ internal class Overlay(
         x: Double,
         y: Double,
     ) {
-        if (look.isOpen) ui.input.move(x, y)
+        if (look.isOpen) ui.input.move(x * ratio, y * ratio)
     }
 
     fun button(
@@ -79,7 +84,7 @@ internal class Overlay(
 
     /** Draws it as of [time] (seconds) into the window's framebuffer, and leaves everything else as it was. */
     fun draw(time: Double) {
-        val trouble = complaint ?: player.trouble
+        val trouble = complaint ?: player.trouble ?: player.remarks.firstOrNull()
         val isSaying = time < noteEnd
         if (trouble == null && !isSaying && !look.isOpen && !look.showsKeys && !isWaiting) return
         state.read()
@@ -87,20 +92,13 @@ internal class Overlay(
         ui.begin()
         val room = width - if (look.isOpen) Panel.TAKES else 0f
         if (trouble != null) draw(trouble, room)
-        if (look.showsKeys) drawKeys(room)
+        if (look.showsKeys) ui.keys(Keys.ALL, room, height)
         if (look.isOpen) panel.draw(ui, width, height)
-        // The last is on top.
-        if (isWaiting) words("waiting", say("Kotlin is compiled for the first time …", "Kotlin wird zum ersten Mal übersetzt …"), height / 2)
-        if (isSaying) words("note", note, height - NOTE_BELOW)
+        val waiting = say("Kotlin is compiled for the first time …", "Kotlin wird zum ersten Mal übersetzt …")
+        if (isWaiting || isSaying) ui.toast(if (isWaiting) waiting else note, width, height)
         ui.end(width.toInt(), height.toInt())
         state.apply()
     }
-
-    private fun words(
-        name: String,
-        text: String,
-        y: Float,
-    ) = ui.canvas(name, width, height) { words(text, MARGIN + PADDING, y, UiColor.GOOD) }
 
     private fun draw(
         trouble: Trouble,
@@ -115,18 +113,6 @@ internal class Overlay(
         }
     }
 
-    private fun drawKeys(room: Float) {
-        val wide = minOf(KEYS_WIDTH, room - 2 * MARGIN)
-        val tall = TITLE + Keys.ALL.size * KEY_LINE
-        ui.panel(say("Keys", "Tasten"), (room - wide) / 2, (height - tall) / 2, wide, tall) {
-            for (key in Keys.ALL) {
-                row(Keys.COLUMNS)
-                label(key.name, UiColor.WARNING)
-                label(key.effect)
-            }
-        }
-    }
-
     override fun close() {
         ui.close()
     }
@@ -134,16 +120,12 @@ internal class Overlay(
     private companion object {
         const val START_SECONDS = 8.0
         const val NOTE_SECONDS = 2.5
-        const val NOTE_BELOW = 34f
         const val MARGIN = 14f
-        const val PADDING = 10f
         const val GAP = 5f
         const val TITLE = 52f
         const val SOURCE = "    "
         const val MIN_WIDTH = 220f
         const val MAX_WIDTH = 760f
         const val MAX_LINES = 16
-        const val KEYS_WIDTH = 560f
-        const val KEY_LINE = 27f
     }
 }

@@ -7,6 +7,7 @@ import cga.coach.ui.Columns
 import cga.coach.ui.Ui
 import cga.coach.ui.UiColor
 import cga.coach.ui.Widgets
+import cga.coach.ui.say
 
 /** The panel on the right: what can be done, what is found of the tasks, and the numbers that the program sends. */
 internal class Panel(

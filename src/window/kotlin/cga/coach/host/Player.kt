@@ -1,6 +1,7 @@
 package cga.coach.host
 
 import cga.coach.Program
+import cga.coach.ui.say
 import org.lwjgl.opengl.GL33C.*
 
 /**
@@ -15,7 +16,14 @@ internal class Player(
         val program: Program,
         val objects: GlObjects,
         val isTheirs: (String) -> Boolean,
-    )
+    ) {
+        var pictures = 0
+        var isInspectionDue = true
+
+        /** How many objects there were some pictures ago, and whether there are more and more. */
+        var counted = 0
+        var isGrowing = false
+    }
 
     private val initial = GlState().read()
     private val lastPicture = LastPicture()
@@ -26,6 +34,10 @@ internal class Player(
 
     /** What goes wrong with the program that plays, or null. */
     var trouble: Trouble? = null
+        private set
+
+    /** What was seen of the program that is no reason to stop, the most important first. */
+    var remarks: List<Trouble> = emptyList()
         private set
 
     /** The program that plays, or null. */
@@ -60,6 +72,7 @@ internal class Player(
             slowness(program, width, height)?.let { return refuse(it, fresh, old, before) }
             running = Running(program, fresh, isTheirs)
             trouble = null
+            remarks = emptyList()
         } catch (e: Throwable) {
             return refuse(troubleOf(e, isTheirs), fresh, old, before)
         }
@@ -149,9 +162,14 @@ internal class Player(
         width: Int,
         height: Int,
     ) {
-        val program = program ?: return clear()
+        val running = running ?: return clear()
+        val program = running.program
         val wasWell = trouble == null
-        if (guard("render") { program.render(dt, inputs.time.toFloat()) }) {
+        val inspection = begin(running)
+        val isGood = guard("render") { program.render(dt, inputs.time.toFloat()) }
+        watch.inspection = null
+        if (isGood) {
+            if (inspection == null) look(running) else remarks = inspection.remarks(running.isGrowing)
             if (!wasWell) lastPicture.keep(GL_BACK, width, height)
             return
         }
@@ -159,6 +177,25 @@ internal class Player(
         // The window still shows the picture before.
         if (wasWell || !lastPicture.isThere) lastPicture.keep(GL_FRONT, width, height)
         lastPicture.show(width, height)
+    }
+
+    /** The second picture is looked at call by call, and later ones where something is amiss. */
+    private fun begin(running: Running): Inspection? {
+        if (running.pictures++ == 0 || !running.isInspectionDue) return null
+        running.isInspectionDue = false
+        forgetErrors()
+        return Inspection(running.isTheirs).also { watch.inspection = it }
+    }
+
+    private fun look(running: Running) {
+        val isTime = running.pictures % OFTEN == 0
+        if (isTime) {
+            val count = running.objects.count
+            running.isGrowing = running.counted > 0 && count >= running.counted + OFTEN / 2
+            running.counted = count
+        }
+        val hasError = glGetError() != GL_NO_ERROR
+        if (isTime && running.isGrowing || hasError && remarks.isEmpty()) running.isInspectionDue = true
     }
 
     private fun clear() {
@@ -193,5 +230,8 @@ internal class Player(
         const val TRIALS = 2
         const val MOST_SECONDS = 1.0
         const val MAX_ERRORS = 1000
+
+        /** Pictures from one count of the objects to the next. */
+        const val OFTEN = 120
     }
 }

@@ -1,5 +1,8 @@
 package cga.coach.host
 
+import cga.coach.ui.say
+import cga.framework.ShaderComplaint
+import cga.framework.ShaderLog
 import java.nio.file.Files
 import java.nio.file.Path
 import kotlin.io.path.extension
@@ -64,8 +67,22 @@ internal class Trouble(
             log: String,
             cure: String,
         ): Trouble {
-            val lines = ShaderLog.explain(SourceFiles.shaderNamed(source), source, log)
+            val file = SourceFiles.shaderNamed(source)
+            val text = source.lines()
+            val lines = ShaderLog.read(text, log).flatMap { lines(file, text, it) }
             return Trouble(say("The shader does not compile", "Der Shader lässt sich nicht übersetzen"), lines, cure)
+        }
+
+        private fun lines(
+            file: String,
+            text: List<String>,
+            complaint: ShaderComplaint,
+        ): List<String> {
+            fun source(line: Int) = text.getOrNull(line - 1)?.let { INDENT + it.trim() }
+            val line = complaint.line ?: return listOf("$file: ${complaint.message}")
+            val before = complaint.unended ?: return listOfNotNull("$file:$line: ${complaint.message}", source(line))
+            val or = say("or already line $before, which does not end in a semicolon:", "oder schon Zeile $before, an deren Ende kein Semikolon steht:")
+            return listOfNotNull("$file:$line: ${complaint.message}", source(line), or, source(before))
         }
 
         private const val LONGEST = 600
@@ -99,40 +116,4 @@ internal object SourceFiles {
         FOLDERS.map(Path::of).filter(Files::exists).flatMap { folder ->
             Files.walk(folder).use { paths -> paths.filter { it.isRegularFile() }.toList() }
         }
-}
-
-/** Reads the logs of OpenGL's compilers. */
-internal object ShaderLog {
-    // Mesa "0:12(5): error: …", NVIDIA "0(12) : error …", AMD, Intel and Apple "ERROR: 0:12: …".
-    private val LOCATION = Regex("""^(?:(?:ERROR|WARNING):\s*)?\d+[:(](\d+)\)?(?:\((\d+)\))?\s*:\s*(.*)$""")
-
-    /** The [log] about the shader [source] in [file] as lines `file:line: message`, each with its source below. */
-    fun explain(
-        file: String,
-        source: String,
-        log: String,
-    ): List<String> {
-        val text = source.lines()
-        return log.trim().lines().filter(String::isNotBlank).flatMap { entry ->
-            val (line, _, message) = LOCATION.find(entry.trim())?.destructured ?: return@flatMap listOf("$file: ${entry.trim()}")
-            val number = line.toInt()
-            listOfNotNull("$file:$number: $message", text.getOrNull(number - 1)?.let { "    ${it.trim()}" }) + before(text, number, message)
-        }
-    }
-
-    /** Where a semicolon is missing, compilers name the line after: the one before is shown as well. */
-    private fun before(
-        text: List<String>,
-        number: Int,
-        message: String,
-    ): List<String> {
-        if ("syntax error" !in message) return emptyList()
-        val last = (number - 2 downTo 0).firstOrNull { text[it].substringBefore("//").isNotBlank() } ?: return emptyList()
-        val code = text[last].substringBefore("//").trimEnd()
-        if (code.last() in ";{},(" || code.startsWith("#")) return emptyList()
-        return listOf(
-            say("or already line ${last + 1}, which has no ; at its end:", "oder schon Zeile ${last + 1}, an deren Ende kein ; steht:"),
-            "    ${text[last].trim()}",
-        )
-    }
 }

@@ -62,6 +62,30 @@ internal class Ui(private val pixelRatio: Float) : AutoCloseable {
         return number.active() != 0 && number.state() == PROPERTY_EDITED
     }
 
+    /**
+     * Writes [text] at the lower edge of the window of [width]×[height], where none of this picture's panels is: to be called after all of them.
+     * A canvas lies below panels.
+     */
+    fun toast(
+        text: String,
+        width: Float,
+        height: Float,
+    ) = canvas("toast", width, height) {
+        val wide = wide(text)
+        val (x, y) = PLACES.map { (across, up) -> EDGE + (width - wide - 2 * EDGE).coerceAtLeast(0f) * across to height - up }
+            .let { places -> places.firstOrNull { (x, y) -> isFree(x, y, wide) } ?: places.first() }
+        words(text, x, y, UiColor.GOOD)
+    }
+
+    private fun isFree(
+        x: Float,
+        y: Float,
+        wide: Float,
+    ): Boolean =
+        (0 until panels step 4).none { i ->
+            x < places[i] + places[i + 2] && x + wide > places[i] && y < places[i + 1] + places[i + 3] && y + UiFont.SIZE > places[i + 1]
+        }
+
     /** Starts a picture's panels. */
     fun begin() {
         nk_input_end(context)
@@ -98,7 +122,7 @@ internal class Ui(private val pixelRatio: Float) : AutoCloseable {
             val bounds = nk_rect(x, y, width, height, NkRect.malloc(stack))
             // Placed by the window's size, and not by the user: nothing is lost when the window shrinks.
             nk_window_set_bounds(context, title, bounds)
-            nk_begin(context, title, bounds, flags)
+            nk_begin(context, title, bounds, flags).also { widgets.typed = nk_window_find(context, title)?.property() }
         }
     }
 
@@ -164,5 +188,9 @@ internal class Ui(private val pixelRatio: Float) : AutoCloseable {
 
         /** Height of a panel of which only the title bar is there. */
         const val FOLDED = 34f
+        const val EDGE = 24f
+
+        /** Where a toast may be: as a share of the width, and from the lower edge. */
+        val PLACES = listOf(0f to 34f, 0.5f to 34f, 1f to 34f, 0f to 64f, 0.5f to 64f)
     }
 }

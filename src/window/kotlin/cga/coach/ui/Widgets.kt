@@ -3,6 +3,7 @@ package cga.coach.ui
 import org.lwjgl.BufferUtils
 import org.lwjgl.nuklear.NkColor
 import org.lwjgl.nuklear.NkContext
+import org.lwjgl.nuklear.NkPropertyState
 import org.lwjgl.nuklear.NkRect
 import org.lwjgl.nuklear.NkVec2
 import org.lwjgl.nuklear.Nuklear.*
@@ -21,6 +22,10 @@ internal class Widgets(
     private val font: UiFont,
 ) {
     private val number = FloatArray(1)
+
+    /** Which number is being typed in the panel that is filled now; set by [Ui]. */
+    var typed: NkPropertyState? = null
+    private val digits = Digits()
     private val folded = HashMap<String, IntArray>()
 
     /** The next widgets stand side by side, [columns] a row. */
@@ -102,9 +107,33 @@ internal class Widgets(
         number[0] = value.coerceIn(min, max)
         nk_slider_float(context, min, number, max, (max - min) / SLIDER_STEPS)
         val step = (max - min) / 100
-        nk_property_float(context, "#", min, number, max, step, step / 4)
+        property(min, max, step)
         // What was out of range stays as it is until somebody moves it.
         return if (number[0] == value.coerceIn(min, max)) value else number[0]
+    }
+
+    /** Nuklear writes two digits after the point and cuts the others off: so what it has written is written over, unless it is being typed. */
+    private fun property(
+        min: Float,
+        max: Float,
+        step: Float,
+    ) {
+        MemoryStack.stackPush().use { stack ->
+            val bounds = nk_widget_bounds(context, NkRect.malloc(stack))
+            val typed = typed
+            val name = nk_murmur_hash(NUMBER, typed?.seq() ?: 0)
+            nk_property_float(context, "#", min, number, max, step, step / 4)
+            val isTyped = typed != null && typed.active() != 0 && typed.name() == name
+            val canvas = nk_window_get_canvas(context)
+            if (isTyped || canvas == null) return
+            val text = digits.of(number[0])
+            val inside = nk_rect(bounds.x() + LINE, bounds.y() + 1, bounds.w() - 2 * LINE, bounds.h() - 2, NkRect.malloc(stack))
+            val field = context.style().property().normal().data().color()
+            nk_fill_rect(canvas, inside, 0f, field)
+            val width = font.width(text)
+            val place = nk_rect(inside.x() + (inside.w() - width) / 2, inside.y() + TEXT_TOP, width, UiFont.SIZE, NkRect.malloc(stack))
+            nk_draw_text(canvas, place, text, font.handle, field, UiStyle.set(NkColor.malloc(stack), UiColor.TEXT))
+        }
     }
 
     /** A part that folds by a click on its [title]. */
@@ -147,6 +176,10 @@ internal class Widgets(
         private const val EDGES = 36f
         private const val FILLED = 0.94f
         private const val SLIDER_STEPS = 1000
+        private const val TEXT_TOP = 2f
+
+        /** How Nuklear tells properties without a name apart. */
+        private val NUMBER = BufferUtils.createByteBuffer(1).put('#'.code.toByte()).flip()
         private const val MAX_LIST = 420f
     }
 }

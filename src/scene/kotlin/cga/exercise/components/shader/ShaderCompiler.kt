@@ -1,5 +1,6 @@
 package cga.exercise.components.shader
 
+import cga.framework.ShaderLog
 import org.lwjgl.opengl.GL33C.*
 
 /** Compiles and links GLSL, and turns the driver's log into messages with the file's name and the line's text. */
@@ -46,9 +47,6 @@ internal object ShaderCompiler {
         return shader
     }
 
-    // Mesa "0:12(5): error: …", NVIDIA "0(12) : error …", AMD, Intel and Apple "ERROR: 0:12: …".
-    private val LOCATION = Regex("""^(?:(?:ERROR|WARNING):\s*)?\d+[:(](\d+)\)?(?:\((\d+)\))?\s*:\s*(.*)$""")
-
     /** The driver's [log] about the shader [path] as `path:line: message`, each with its source line below. */
     fun explain(
         path: String,
@@ -56,15 +54,12 @@ internal object ShaderCompiler {
         log: String,
     ): String {
         val lines = source.lines()
-        return log
-            .trim()
-            .lines()
-            .filter(String::isNotBlank)
-            .joinToString("\n") { entry ->
-                val found = LOCATION.find(entry.trim()) ?: return@joinToString "$path: ${entry.trim()}"
-                val (line, _, message) = found.destructured
-                val text = lines.getOrNull(line.toInt() - 1)?.let { "\n    ${it.trim()}" }.orEmpty()
-                "$path:$line: $message$text"
-            }
+
+        fun text(line: Int) = lines.getOrNull(line - 1)?.let { "\n    ${it.trim()}" }.orEmpty()
+        return ShaderLog.read(lines, log).joinToString("\n") { complaint ->
+            val line = complaint.line ?: return@joinToString "$path: ${complaint.message}"
+            val before = complaint.unended?.let { "\nor already line $it, which does not end in a semicolon:${text(it)}" }.orEmpty()
+            "$path:$line: ${complaint.message}${text(line)}$before"
+        }
     }
 }

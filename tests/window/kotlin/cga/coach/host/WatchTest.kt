@@ -1,4 +1,4 @@
-package cga.inspect
+package cga.coach.host
 
 import org.junit.jupiter.api.Assertions.assertFalse
 import org.junit.jupiter.api.Assertions.assertTrue
@@ -9,14 +9,14 @@ import java.nio.file.Path
 import java.nio.file.StandardCopyOption.REPLACE_EXISTING
 import kotlin.io.path.writeText
 
-class ShaderWatchTest {
+class WatchTest {
     @TempDir
     private lateinit var folder: Path
 
     @Test
     fun `it notices a file that is written, and one that is replaced, once each`() {
         val shader = folder.resolve("scene.frag").apply { writeText("void main() {}") }
-        ShaderWatch(folder).use { watch ->
+        watch().use { watch ->
             assertFalse(watch.hasChanged())
             shader.writeText("void main() { }")
             assertTrue(notices(watch))
@@ -30,7 +30,7 @@ class ShaderWatchTest {
     @Test
     fun `other files are none of its business`() {
         folder.resolve("scene.frag").writeText("1")
-        ShaderWatch(folder).use { watch ->
+        watch().use { watch ->
             folder.resolve("scene.frag~").writeText("2")
             folder.resolve("notes.txt").writeText("3")
             // Longer than two of its looks; a mistake here can only be missed, never reported wrongly.
@@ -39,6 +39,8 @@ class ShaderWatchTest {
         }
     }
 
+    private fun watch() = Watch({ listOf(folder) }) { it.endsWith(".frag") }
+
     /** Whether it does within a time that no machine needs. */
-    private fun notices(watch: ShaderWatch): Boolean = (0 until 600).any { Thread.sleep(50).let { watch.hasChanged() } }
+    private fun notices(watch: Watch): Boolean = (0 until 600).any { Thread.sleep(50).let { watch.hasChanged() } }
 }

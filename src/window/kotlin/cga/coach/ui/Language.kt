@@ -1,4 +1,4 @@
-package cga.coach.host
+package cga.coach.ui
 
 import java.io.IOException
 import java.nio.file.Path

@@ -87,6 +87,8 @@ internal class CoachWindow(private val wish: WindowWish) :
         if (look.isOpen && player.trouble == null) lookAtSources()
         if (wish == Wish.SCREENSHOT) saveScreenshot()
         overlay.draw(currentTime)
+        // The compiler has more to do then.
+        if (player.program == null) Thread.sleep(IDLE_MILLIS)
     }
 
     private fun lookAtSources() {
@@ -216,5 +218,6 @@ internal class CoachWindow(private val wish: WindowWish) :
     private companion object {
         /** Folders with files that the program reads: it starts anew when one of them is saved. */
         val FILES = listOf("assets", "shaders", "src/main/resources")
+        const val IDLE_MILLIS = 30L
     }
 }

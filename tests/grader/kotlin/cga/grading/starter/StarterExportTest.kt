@@ -85,7 +85,7 @@ class StarterExportTest {
         StarterExport.write(target)
         val entries = target.resolve("libs").listDirectoryEntries("*.jar").associate { jar ->
             jar.name to ZipFile(jar.toFile()).use { zip ->
-                zip.entries().toList().associate { it.name to zip.getInputStream(it).readAllBytes().decodeToString(Charsets.ISO_8859_1) }
+                zip.entries().toList().associate { it.name to zip.getInputStream(it).readAllBytes().toString(Charsets.ISO_8859_1) }
             }
         }
         val tools = entries.getValue("cga-coach-tools.jar")

@@ -48,7 +48,7 @@ public open class InspectedGame private constructor(
 
     override fun start() {
         overlay = Overlay(this, look, notices, ControlPanel(scene, look, tuning, clock, actions()), inspected)
-        shaders = Watch({ listOf(Home.resolve("shaders")) }) { it.endsWith(".vert") || it.endsWith(".frag") }
+        shaders = Watch({ listOf(Home.resolve("shaders")) }) { it.substringAfterLast('.') in SHADERS }
         notices.say(say("Tab opens the panel · H shows all keys", "Tab öffnet die Tafel · H zeigt alle Tasten"), currentTime, START_SECONDS)
         // Last, since it names the step in the title: the sign that the window is ready.
         super.start()
@@ -257,6 +257,7 @@ public open class InspectedGame private constructor(
             "${Game.HELP} · Tab panel and cursor (click a pixel for its numbers, right button orbits) · V what is shown · " +
                 "H all keys · F Phong beside Blinn-Phong (hold the left button to move the divider) · G light gizmos · P pause time · " +
                 "C copy values as Kotlin · F9 save all input since the start"
+        private val SHADERS = setOf("vert", "frag", "glsl")
         private const val GRIP = 8.0
         private const val START_SECONDS = 6.0
     }

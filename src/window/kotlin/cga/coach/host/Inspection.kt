@@ -24,8 +24,20 @@ internal class Inspection(private val isTheirs: (String) -> Boolean) {
             error != GL_NO_ERROR -> errors += "$name: ${name(error)}${place()}"
             name.startsWith("glDraw") || name.startsWith("glMultiDraw") -> draws++
             name.startsWith("glGen") && name != "glGenerateMipmap" || name.startsWith("glCreate") -> made += "$name${place()}"
-            name == "glGetUniformLocation" && call.answer < 0 -> absent += "${MemoryUtil.memASCII(call.long(1))}${place()}"
+            name == "glGetUniformLocation" && call.answer < 0 -> noteAbsent(call.int(0), MemoryUtil.memASCII(call.long(1)))
         }
+    }
+
+    /** What the shaders declare and do not use yet is no mistake. */
+    private fun noteAbsent(
+        program: Int,
+        name: String,
+    ) {
+        val shaders = IntArray(MOST_SHADERS)
+        val count = IntArray(1)
+        glGetAttachedShaders(program, count, shaders)
+        val declared = Regex("""\b${Regex.escape(name.substringBefore('.').substringBefore('['))}\b""")
+        if ((0 until count[0]).none { declared.containsMatchIn(glGetShaderSource(shaders[it])) }) absent += "$name${place()}"
     }
 
     private fun place(): String {
@@ -73,6 +85,7 @@ internal class Inspection(private val isTheirs: (String) -> Boolean) {
 
     private companion object {
         const val MOST_LINES = 6
+        const val MOST_SHADERS = 8
         const val MOST_FRAMES = 4L
     }
 }

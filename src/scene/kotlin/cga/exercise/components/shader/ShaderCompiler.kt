@@ -1,5 +1,6 @@
 package cga.exercise.components.shader
 
+import cga.framework.ShaderComplaint
 import cga.framework.ShaderLog
 import org.lwjgl.opengl.GL33C.*
 
@@ -42,24 +43,25 @@ internal object ShaderCompiler {
         if (glGetShaderi(shader, GL_COMPILE_STATUS) == GL_FALSE) {
             val log = glGetShaderInfoLog(shader)
             glDeleteShader(shader)
-            throw ShaderError(explain(source.path, source.text, log))
+            throw ShaderError(explain(source, log))
         }
         return shader
     }
 
-    /** The driver's [log] about the shader [path] as `path:line: message`, each with its source line below. */
+    /** The driver's [log] about [source] as `file:line: message`, each with its source line below. */
     fun explain(
-        path: String,
-        source: String,
+        source: ShaderSource,
         log: String,
-    ): String {
-        val lines = source.lines()
+    ): String = ShaderLog.read(source.text.lines(), log).joinToString("\n") { explain(source, it) }
 
-        fun text(line: Int) = lines.getOrNull(line - 1)?.let { "\n    ${it.trim()}" }.orEmpty()
-        return ShaderLog.read(lines, log).joinToString("\n") { complaint ->
-            val line = complaint.line ?: return@joinToString "$path: ${complaint.message}"
-            val before = complaint.unended?.let { "\nor already line $it, which does not end in a semicolon:${text(it)}" }.orEmpty()
-            "$path:$line: ${complaint.message}${text(line)}$before"
-        }
+    private fun explain(
+        source: ShaderSource,
+        complaint: ShaderComplaint,
+    ): String {
+        val number = complaint.line ?: return "${source.path}: ${complaint.message}"
+        val line = source.line(number) ?: return "${source.path}:$number: ${complaint.message}"
+        val before = complaint.unended?.let(source::line)
+        val or = before?.let { "\nor already line ${it.number}, which does not end in a semicolon:\n    ${it.text.trim()}" }.orEmpty()
+        return "${line.file}:${line.number}: ${complaint.message}\n    ${line.text.trim()}$or"
     }
 }

@@ -13,9 +13,9 @@ import cga.inspect.view.InspectedProgram
 import cga.inspect.view.Look
 import cga.inspect.view.Traffic
 import cga.inspect.view.View
-import kotlin.math.abs
 import org.lwjgl.glfw.GLFW.*
 import org.lwjgl.opengl.GL33C.*
+import kotlin.math.abs
 
 /**
  * The scene's window with a look into it: terms and factors alone, a probe, a panel of all numbers, gizmos, errors and likely causes of a

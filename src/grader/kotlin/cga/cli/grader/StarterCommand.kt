@@ -14,7 +14,7 @@ import java.util.Locale
 internal class StarterCommand : CliktCommand("starter") {
     override fun help(
         context: Context,
-    ): String = "Write the project that students fill in: the course's own, with a TODO for each task, and the window beside it as a library."
+    ): String = "Write the project that students fill in: the course's own, a TODO for each task, and the window beside it as a library."
 
     private val folder by argument("DIR", help = "A folder that does not exist yet, or is empty").path()
 
@@ -24,6 +24,6 @@ internal class StarterCommand : CliktCommand("starter") {
     override fun run() {
         val german = Locale.getDefault().language == StarterLanguage.GERMAN.code
         StarterExport.write(folder, language ?: if (german) StarterLanguage.GERMAN else StarterLanguage.ENGLISH)
-        echo("$folder: open it in IntelliJ IDEA, or type: cd $folder && ./cga run (or: ./gradlew run, or: mvn compile exec:exec)", err = true)
+        echo("$folder: open it in IntelliJ IDEA, or type: cd $folder && ./cga run", err = true)
     }
 }

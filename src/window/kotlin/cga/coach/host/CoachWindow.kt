@@ -7,10 +7,10 @@ import cga.coach.ui.say
 import cga.framework.GameWindow
 import cga.framework.InputError
 import cga.framework.image.PngFile
-import java.nio.file.Files
-import java.nio.file.Path
 import org.lwjgl.glfw.GLFW.*
 import org.lwjgl.opengl.GL33C.glViewport
+import java.nio.file.Files
+import java.nio.file.Path
 
 /** The window that a student's program plays in, with what looks at it. */
 internal class CoachWindow(private val wish: WindowWish) :

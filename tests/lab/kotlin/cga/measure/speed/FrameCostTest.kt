@@ -10,13 +10,13 @@ import cga.framework.model.ModelFile
 import cga.measure.accuracy.choices.PictureSize
 import cga.testing.Offscreen
 import cga.testing.Slow
-import java.nio.file.Path
-import kotlin.io.path.fileSize
 import org.junit.jupiter.api.Assertions.assertEquals
 import org.junit.jupiter.api.Assertions.assertTrue
 import org.junit.jupiter.api.Test
 import org.junit.jupiter.api.io.TempDir
 import org.lwjgl.opengl.GL
+import java.nio.file.Path
+import kotlin.io.path.fileSize
 
 /** What a frame costs that no machine's mood changes. */
 @Slow

@@ -5,16 +5,22 @@ internal object CodeShape {
     private const val WORD = 'w'
 
     /**
-     * [code] with one letter for every word and without blanks, [optional] signs, and lines that begin with one of [without]; numbers by
-     * their value.
+     * [code] with one letter for every word and without blanks, [optional] signs, and statements that a line begins with and whose
+     * first word is one of [without]; numbers by their value.
      */
     fun of(code: String, optional: String = "", without: Set<String> = emptySet()): String {
         val shape = StringBuilder()
-        for (line in code.lineSequence()) {
-            val text = line.trim()
-            if (text.takeWhile(::isOfWord) !in without) add(text, optional, shape)
-        }
+        for (line in code.lineSequence()) add(statements(line.trim(), without), optional, shape)
         return "$shape"
+    }
+
+    /** [line] without statements at its beginning whose first word is one of [without]. */
+    private fun statements(line: String, without: Set<String>): String {
+        var at = 0
+        while (at < line.length && line.substring(at).trimStart().takeWhile(::isOfWord) in without) {
+            at = line.indexOf(';', at).let { if (it < 0) line.length else it + 1 }
+        }
+        return line.substring(at)
     }
 
     private fun add(line: String, optional: String, shape: StringBuilder) {
@@ -34,10 +40,13 @@ internal object CodeShape {
     /** `.5` is a number, `a.b` has none. */
     private fun isPoint(line: String, at: Int) = line[at] == '.' && line.getOrNull(at + 1)?.isDigit() == true
 
+    /** `1.` is a number in GLSL; in Kotlin there are `1.toFloat()` and `1..2`. */
+    private fun isLastPoint(line: String, at: Int) = line[at] == '.' && line.getOrNull(at + 1).let { it == null || it != '.' && !isOfWord(it) }
+
     private fun end(line: String, from: Int): Int {
         val isNumber = line[from].isDigit() || line[from] == '.'
         var at = from + 1
-        while (at < line.length && (isOfWord(line[at]) || isNumber && isPoint(line, at))) at++
+        while (at < line.length && (isOfWord(line[at]) || isNumber && isPoint(line, at) || isNumber && isLastPoint(line, at))) at++
         return at
     }
 

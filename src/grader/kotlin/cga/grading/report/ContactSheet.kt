@@ -112,10 +112,9 @@ public object ContactSheet {
 
     /** What of it is the same elsewhere, and where. */
     private fun alike(submission: GradedSubmission, messages: Messages): List<String> {
-        val groups = submission.twins.entries.groupBy({ it.value.toSortedSet() }, { cleanLine(it.key) })
-        val others = groups.map { (parts, names) ->
+        val others = submission.twinGroups.map { (parts, names) ->
             val more = if (names.size > MOST_TWINS) " … (${names.size})" else ""
-            messages.text("course.same", messages.list(parts), names.take(MOST_TWINS).joinToString() + more)
+            messages.text("course.same", messages.list(parts), names.take(MOST_TWINS).joinToString(transform = ::cleanLine) + more)
         }
         val solution = submission.solutionParts
         return others + if (solution.isEmpty()) emptyList() else listOf(messages.text("course.like-solution", messages.list(solution)))

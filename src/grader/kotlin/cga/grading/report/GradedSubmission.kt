@@ -32,6 +32,9 @@ public class GradedSubmission(
 
     public val refusal: Refused? get() = outcome as? Refused
 
+    /** The names of other submissions by the parts that are the same there. */
+    internal val twinGroups: Map<Set<Part>, List<String>> get() = twins.entries.groupBy({ it.value.toSortedSet() }, { it.key })
+
     /** The parts that are the same as in another submission. */
     internal val twinParts: Set<Part> get() = twins.values.flatten().toSortedSet()
 

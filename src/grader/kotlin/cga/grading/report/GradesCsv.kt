@@ -48,11 +48,12 @@ public object GradesCsv {
             )
     }
 
-    /** Parts and where they are the same: `kotlin shaders: anna; shaders: the solution`. */
+    /** Parts and where they are the same: `kotlin shaders: anna, bo; shaders: the solution`. */
     private fun sameAs(submission: GradedSubmission): String {
-        val others = submission.twins.map { (name, parts) -> name to parts }
-        val solution = listOf(SOLUTION to submission.solutionParts).filter { it.second.isNotEmpty() }
-        return (others + solution).joinToString("; ") { (name, parts) -> parts.sorted().joinToString(" ") { it.id } + ": $name" }
+        val solution = listOf(submission.solutionParts to listOf(SOLUTION)).filter { it.first.isNotEmpty() }
+        return (submission.twinGroups.toList() + solution).joinToString("; ") { (parts, names) ->
+            parts.joinToString(" ") { it.id } + ": " + names.joinToString()
+        }
     }
 
     private fun number(value: Double) = "%.1f".format(Locale.ROOT, value).removeSuffix(".0")

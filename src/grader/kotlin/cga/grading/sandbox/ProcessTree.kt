@@ -56,6 +56,19 @@ internal class ProcessTree(
         return files.values.sum()
     }
 
+    /** For how many seconds tasks of the tree were ready to run while others had the processors, all tasks together. */
+    @Synchronized
+    fun waitedSeconds(): Double =
+        members.keys.flatMap { File("/proc/$it/task").listFiles().orEmpty().asList() }.sumOf(::waitedNanoseconds) / 1e9
+
+    private fun waitedNanoseconds(task: File): Long =
+        try {
+            task.resolve("schedstat").readText().split(' ').getOrNull(1)?.toLongOrNull() ?: 0
+        } catch (_: IOException) {
+            // It ended meanwhile, or the kernel does not count.
+            0
+        }
+
     private fun deleted(file: Path): Pair<Any, Long>? =
         try {
             val attributes = Files.readAttributes(file, "unix:nlink,size,dev,ino,mode")

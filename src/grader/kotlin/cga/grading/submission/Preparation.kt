@@ -43,8 +43,8 @@ internal object Preparation {
 
     /** What was given out with the sheet is everybody's. */
     private fun key(sources: List<SourceFile>): String? {
-        val own = sources.filterNot { "${it.packageName}.".startsWith("$FRAMEWORK.") }
-        return if (own.isEmpty()) null else Likeness.keyOf(own.map { it.shape.toByteArray() })
+        val own = sources.filterNot { "${it.packageName}.".startsWith("$FRAMEWORK.") }.map { it.shape }.filter(String::isNotEmpty)
+        return if (own.isEmpty()) null else Likeness.keyOf(own.map(String::toByteArray))
     }
 
     /** Our window takes the place of the submission's; the file that has it is replaced as a whole. */

@@ -12,6 +12,7 @@ class CodeShapeTest {
         val one = "package a\nimport b.c\nimport b.d\nval x = f(1, 0.50f) + arr[2]\n"
         val other = "package other.place\n\nval\n  größe =\tlicht( 1.0,.5 , ) + list [ 2 ];"
         assertEquals(kotlin(one), kotlin(other))
+        assertEquals(kotlin("class A { }"), kotlin("package a ; import b.c; class B { }"))
         assertEquals(CodeShape.of("v = n.5 * a.x;"), CodeShape.of("  w=m .50\n*\nb . y ;"))
     }
 

@@ -10,6 +10,9 @@ internal object Limit {
     const val POINTS = 4096
     const val PICTURES = 96
     const val NOTES = 200
+    const val DETAILS = 32
+    const val PLACES = 8
+    const val LINE = 1_000_000
     const val TEXT = 4000
 }
 
@@ -22,7 +25,7 @@ internal object FindingsReader {
     private val mistakes = Mistake.entries.associateBy { it.id }
 
     fun findings(node: JsonNode): Findings {
-        node.allowOnly("checks", "mistakes", "plots", "pictures", "notes")
+        node.allowOnly("checks", "mistakes", "plots", "pictures", "notes", "proof")
         val measured = node.list("checks", Limit.CHECKS).map(::measured)
         measured.groupBy { it.check }.values.find { it.size > 1 }?.let { node.fail("\"checks\" has ${it[0].check.id} more than once.") }
         return Findings(
@@ -30,22 +33,29 @@ internal object FindingsReader {
             node.list("mistakes", Limit.MISTAKES).map(::found),
             node.list("plots", Limit.PLOTS).map(::plot),
             node.list("pictures", Limit.PICTURES).map(::evidence),
-            node.list("notes", Limit.NOTES).map { it.limited() },
+            node.list("notes", Limit.NOTES).map { MessageReader(it).message() },
+            node.find("proof")?.let(::proof),
         )
     }
 
     private fun measured(node: JsonNode): Measured {
-        node.allowOnly("check", "error", "found", "text")
+        node.allowOnly("check", "error", "absent", "said")
+        val check = check(node.get("check"))
+        val message = MessageReader(node.get("said")).message()
         val error = node.find("error")?.number("a number from 0") {
             it.toDoubleOrNull()?.takeIf { error ->
                 error.isFinite() && error >= 0
             }
         }
-        return Measured(check(node.get("check")), error, node.get("text").limited(), node.find("found")?.flag() ?: true)
+        return when {
+            node.find("absent")?.flag() == true -> Measured.absent(check, message)
+            error == null -> Measured.open(check, message)
+            else -> Measured.of(check, error, message)
+        }
     }
 
     private fun found(node: JsonNode): Found {
-        node.allowOnly("mistake", "fit", "difference", "where", "alternatives", "explains")
+        node.allowOnly("mistake", "fit", "difference", "where", "alternatives", "explains", "details", "places", "proof")
         return Found(
             mistake(node.get("mistake")),
             node.get("fit").finite(),
@@ -53,7 +63,23 @@ internal object FindingsReader {
             node.get("where").limited(),
             node.list("alternatives", Limit.MISTAKES).map(::mistake),
             node.find("explains")?.let(::explained),
+            node.list("details", Limit.DETAILS).map { MessageReader(it).message() },
+            node.list("places", Limit.PLACES).map(::place),
+            node.find("proof")?.let(::proof),
         )
+    }
+
+    private fun place(node: JsonNode): Place {
+        node.allowOnly("file", "line", "first", "source")
+        val source = node.list("source", Place.MOST_LINES).map { it.limited() }
+        return Place(node.get("file").limited(), line(node.get("line")), source, line(node.get("first")))
+    }
+
+    private fun line(node: JsonNode): Int = node.number("a line's number") { text -> text.toIntOrNull()?.takeIf { it in 0..Limit.LINE } }
+
+    private fun proof(node: JsonNode): Proof {
+        node.allowOnly("explained", "left")
+        return Proof(node.get("explained").finite(), node.get("left").finite())
     }
 
     private fun explained(node: JsonNode): Set<Check> =
@@ -86,7 +112,7 @@ internal object FindingsReader {
         node.allowOnly("check", "title", "measured", "expected")
         return Evidence(
             node.find("check")?.let(::check),
-            node.get("title").limited(),
+            MessageReader(node.get("title")).message(),
             picture(node.get("measured")),
             node.find("expected")?.let(::picture),
         )

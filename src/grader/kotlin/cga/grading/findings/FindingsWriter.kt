@@ -17,7 +17,8 @@ internal fun findingsJson(findings: Findings): String {
             putList("mistakes", findings.mistakes, Limit.MISTAKES, ::found)
             putList("plots", findings.plots, Limit.PLOTS, ::plot)
             putList("pictures", findings.pictures, Limit.PICTURES, ::evidence)
-            putList("notes", findings.notes.take(Limit.NOTES), Limit.NOTES) { JsonPrimitive(it.take(Limit.TEXT)) }
+            putList("notes", findings.notes.take(Limit.NOTES), Limit.NOTES, ::messageJson)
+            findings.proof?.let { put("proof", proof(it)) }
         }
     return PRETTY.encodeToString(JsonElement.serializer(), json) + "\n"
 }
@@ -32,8 +33,8 @@ private fun measured(measured: Measured) =
     buildJsonObject {
         put("check", measured.check.id)
         measured.error?.takeIf { it.isFinite() && it >= 0 }?.let { put("error", it) }
-        if (!measured.found) put("found", false)
-        put("text", measured.text.take(Limit.TEXT))
+        if (measured.standing == Standing.ABSENT) put("absent", true)
+        put("said", messageJson(measured.message))
     }
 
 private fun found(found: Found) =
@@ -45,6 +46,23 @@ private fun found(found: Found) =
         putList("alternatives", found.alternatives.distinct(), Limit.MISTAKES) { JsonPrimitive(it.id) }
         // An empty list says something: that it explains nothing else. JSON lists of ours are never empty, so it is a text.
         found.explains?.let { put("explains", it.joinToString(" ") { check -> check.id }) }
+        putList("details", found.details, Limit.DETAILS, ::messageJson)
+        putList("places", found.places.take(Limit.PLACES), Limit.PLACES, ::place)
+        found.proof?.let { put("proof", proof(it)) }
+    }
+
+private fun place(place: Place) =
+    buildJsonObject {
+        put("file", place.file.take(Limit.TEXT))
+        put("line", place.line)
+        put("first", place.first)
+        putList("source", place.source, Place.MOST_LINES) { JsonPrimitive(it.take(Place.LONGEST)) }
+    }
+
+private fun proof(proof: Proof) =
+    buildJsonObject {
+        put("explained", finite(proof.explained, "explained"))
+        put("left", finite(proof.left, "left"))
     }
 
 private fun plot(plot: Plot): JsonObject {
@@ -67,7 +85,7 @@ private fun plot(plot: Plot): JsonObject {
 private fun evidence(evidence: Evidence) =
     buildJsonObject {
         evidence.check?.let { put("check", it.id) }
-        put("title", evidence.title.take(Limit.TEXT))
+        put("title", messageJson(evidence.title))
         put("measured", plain(evidence.measured))
         evidence.expected?.let { put("expected", plain(it)) }
     }

@@ -5,7 +5,11 @@ import cga.grading.findings.Findings
 import cga.grading.findings.Graded
 import cga.grading.findings.Likeness
 import cga.grading.findings.LogExcerpt
+<<<<<<< HEAD
 import cga.grading.findings.Part
+=======
+import cga.grading.findings.Message
+>>>>>>> main
 import cga.grading.findings.Refused
 import cga.grading.findings.RunFacts
 import cga.grading.sandbox.Outcome
@@ -54,7 +58,13 @@ internal class Run(
 
     fun graded(findings: Findings, notes: List<String>): Graded =
         Graded(
-            Findings(findings.checks, findings.mistakes, findings.plots, findings.pictures, (notes + findings.notes).distinct()),
+            Findings(
+                findings.checks,
+                findings.mistakes,
+                findings.plots,
+                findings.pictures,
+                (notes.map(Message::plain) + findings.notes).distinct(),
+            ),
             facts(),
         )
 

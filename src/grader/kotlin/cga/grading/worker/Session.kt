@@ -1,5 +1,6 @@
 package cga.grading.worker
 
+import cga.grading.capture.Capture
 import cga.grading.capture.CaptureFile
 import cga.grading.capture.EventKind
 import java.io.IOException
@@ -7,17 +8,21 @@ import java.io.UncheckedIOException
 import java.nio.file.Files
 import java.nio.file.Path
 
-/** The one run of a submission in this JVM, and the file that its capture goes to. */
+/** The run of a submission in this JVM, and the file that its capture goes to. */
 internal object Session {
-    private val tape = Tape()
+    private var tape = Tape()
     private var file: Path? = null
     private var isWritten = false
     private var isClaimed = false
 
     /** Has the capture written to [file], at the latest when the JVM goes down: by `System.exit`, or by a signal that it can hear. */
+    @Synchronized
     fun begin(file: Path) {
+        if (this.file == null) Runtime.getRuntime().addShutdownHook(Thread(::finish))
         this.file = file
-        Runtime.getRuntime().addShutdownHook(Thread(::finish))
+        tape = Tape()
+        isWritten = false
+        isClaimed = false
     }
 
     /** The tape for the one window that there may be. */
@@ -47,7 +52,7 @@ internal object Session {
         isWritten = true
         try {
             noteFiles()
-            CaptureFile.write(tape.capture(), file)
+            CaptureFile.write(named(tape.capture()), file)
         } catch (e: IOException) {
             System.err.println("the capture cannot be written: $e")
         }
@@ -68,6 +73,16 @@ internal object Session {
             System.err.println("the textures' files cannot be read: $e")
         }
     }
+
+    private fun named(capture: Capture): Capture =
+        try {
+            val files = ShaderFiles(Path.of(""))
+            capture.with(programs = capture.programs.map(files::named))
+        } catch (e: IOException) {
+            capture.also { System.err.println("the shaders' files cannot be read: $e") }
+        } catch (e: UncheckedIOException) {
+            capture.also { System.err.println("the shaders' files cannot be read: $e") }
+        }
 
     private fun describe(problem: Throwable): String =
         generateSequence(problem) { it.cause.takeIf { cause -> cause !== it } }.take(MAX_CAUSES).joinToString("\ncaused by ") { link ->

@@ -20,7 +20,6 @@ import cga.grading.sandbox.Hostile
 import cga.grading.sandbox.Limits
 import cga.grading.scene.SceneJudge
 import cga.testing.Slow
-import cga.testing.projectRoot
 import org.junit.jupiter.api.AfterAll
 import org.junit.jupiter.api.Assertions.assertEquals
 import org.junit.jupiter.api.Assertions.assertFalse
@@ -143,7 +142,7 @@ class HostileTest {
 
     /** Gives [project] the capture of a correct submission, which it has the worker's file be; its own shaders draw nothing. */
     private fun lend(project: Path) {
-        val capture = CorpusCaptures(projectRoot.toPath().resolve("build/corpus")).of(Corpus.byName("plain"))
+        val capture = CorpusCaptures().use { it.of(Corpus.byName("plain")) }
         capture.copyTo(project.resolve("assets/capture.bin"))
         project.resolve("assets/shaders/tron_frag.glsl").writeText("#version 330 core\nvoid main() { }\n")
     }

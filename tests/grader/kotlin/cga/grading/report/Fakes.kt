@@ -10,9 +10,12 @@ import cga.grading.findings.Found
 import cga.grading.findings.Graded
 import cga.grading.findings.LogExcerpt
 import cga.grading.findings.Measured
+import cga.grading.findings.Message
 import cga.grading.findings.Mistake
 import cga.grading.findings.Outcome
+import cga.grading.findings.Place
 import cga.grading.findings.Plot
+import cga.grading.findings.Proof
 import cga.grading.findings.Refused
 import cga.grading.findings.RunFacts
 import cga.grading.rubric.Rubric
@@ -26,6 +29,13 @@ import kotlin.math.sin
 
 /** Findings as they come out of the analysis, with pictures made from the golden images. */
 internal object Fakes {
+    private const val SHADER =
+        "vec3 highlight(vec3 n, vec3 l, vec3 v, float shininess) {\n    // Phong\n    vec3 r = reflect(-l, n);\n" +
+            "    float cosBeta = max(dot(r, v), 0.0);\n    return vec3(pow(cosBeta, shininess));\n}\n"
+    private const val KOTLIN =
+        "    override fun bind(program: ShaderProgram, name: String) {\n        super.bind(program, name)\n" +
+            "        program.setUniform(\"name.attenuation\", attenuation)\n    }\n"
+
     const val HOSTILE = "<img src=x onerror=alert(1)> \"' onload=alert(2) x='\u0000\u202Egnp.exe\u001B[31m ]]> &amp;"
 
     private val golden = projectRoot.toPath().resolve("tests/golden")
@@ -60,13 +70,29 @@ internal object Fakes {
         }
         val mistakes =
             listOf(
-                Found(Mistake.CONE_INSIDE_OUT, 0.002, 0.31, "spotLight, in shaders/tron_frag.glsl"),
-                Found(Mistake.PHONG_LEFT, 0.004, 0.08, "shaders/tron_frag.glsl", listOf(Mistake.HALF_VECTOR_NOT_NORMALIZED)),
+                Found(
+                    Mistake.CONE_INSIDE_OUT, 0.002, 0.31, "spotLight", proof = Proof(0.52, 3.4),
+                    places = listOf(
+                        Place("cga/exercise/components/light/SpotLight.kt", 3).within(KOTLIN),
+                        Place("cga/exercise/game/Scene.kt", 88),
+                        Place("cga/exercise/game/Game.kt", 31),
+                    ),
+                ),
+                Found(
+                    Mistake.PHONG_LEFT, 0.004, 0.08, "spotLight", listOf(Mistake.HALF_VECTOR_NOT_NORMALIZED),
+                    places = listOf(Place("assets/shaders/tron_frag.glsl", 5).within(SHADER)), proof = Proof(0.997, 0.4),
+                ),
                 Found(Mistake.MORE_LIGHTS_MISSING, 0.0, 0.2, ""),
             )
-        val cone = Evidence(Check.CONE, "Spotlight alone, first frame", "spot-measured.png", "spot-expected.png")
+        val cone = Evidence(Check.CONE, Message.plain("Spotlight alone, first frame"), "spot-measured.png", "spot-expected.png")
         return Graded(
-            Findings(checks, mistakes, plots(1.6), evidence() + cone, listOf("assets/textures/sky.png was missing; a stand-in was given.")),
+            Findings(
+                checks,
+                mistakes,
+                plots(1.6),
+                evidence() + cone,
+                listOf(Message.plain("assets/textures/sky.png was missing; a stand-in was given.")),
+            ),
             facts,
         )
     }
@@ -76,8 +102,19 @@ internal object Fakes {
         pictures(folder, "step-4.2", "step-4.7")
         val checks = Check.entries.map { Measured(it, 0.5, HOSTILE) }
         val curve = Plot(Check.CONE, HOSTILE, HOSTILE, HOSTILE, doubleArrayOf(0.0, 1.0), doubleArrayOf(1.0, 1.0), doubleArrayOf(0.0, 1e300))
-        val pictures = listOf(Evidence(null, HOSTILE, "measured.png", "expected.png"), Evidence(Check.CONE, HOSTILE, "gone.png", null))
-        val findings = Findings(checks, listOf(Found(Mistake.UNKNOWN, 0.3, 0.3, HOSTILE)), listOf(curve), pictures, listOf(HOSTILE))
+        val pictures =
+            listOf(
+                Evidence(null, Message.plain(HOSTILE), "measured.png", "expected.png"),
+                Evidence(Check.CONE, Message.plain(HOSTILE), "gone.png", null),
+            )
+        val findings =
+            Findings(
+                checks,
+                listOf(Found(Mistake.UNKNOWN, 0.3, 0.3, HOSTILE, places = listOf(Place(HOSTILE, 1, listOf(HOSTILE)), Place(HOSTILE, 2)))),
+                listOf(curve),
+                pictures,
+                listOf(Message.plain(HOSTILE)),
+            )
         val logs = listOf(LogExcerpt(HOSTILE, HOSTILE.repeat(2000)))
         return Graded(findings, RunFacts(HOSTILE, HOSTILE, HOSTILE, mapOf(HOSTILE to 1.0), 1, logs))
     }
@@ -113,11 +150,11 @@ internal object Fakes {
 
     private fun evidence() =
         listOf(
-            Evidence(null, "Fourth moment, 4.9 s", "measured.png", "expected.png"),
-            Evidence(Check.POINT_LIGHT, "Point light alone (pointLight)", "point-measured.png", "point-expected.png"),
+            Evidence(null, Message.plain("Fourth moment, 4.9 s"), "measured.png", "expected.png"),
+            Evidence(Check.POINT_LIGHT, Message.plain("Point light alone (pointLight)"), "point-measured.png", "point-expected.png"),
             Evidence(
                 Check.MORE_LIGHTS_SHADING,
-                "Corner lights alone (corners[0] to corners[3])",
+                Message.plain("Corner lights alone (corners[0] to corners[3])"),
                 "corner-measured.png",
                 "corner-expected.png",
             ),

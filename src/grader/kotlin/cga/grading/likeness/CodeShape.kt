@@ -3,6 +3,7 @@ package cga.grading.likeness
 /** Source text without comments, taken down to what a copy keeps when it is renamed and laid out anew. */
 internal object CodeShape {
     private const val WORD = 'w'
+    private const val LONGEST_NUMBER = 100
 
     /**
      * [code] with one letter for every word and without blanks, [optional] signs, and statements that a line begins with and whose
@@ -29,7 +30,7 @@ internal object CodeShape {
             val first = line[at]
             val end = if (isOfWord(first) || isPoint(line, at)) end(line, at) else at + 1
             when {
-                first.isDigit() || first == '.' && end > at + 1 -> shape.append(number(line.substring(at, end))).append(' ')
+                first.isDigit() || (first == '.' && end > at + 1) -> shape.append(number(line.substring(at, end))).append(' ')
                 isOfWord(first) -> shape.append(WORD)
                 !first.isWhitespace() && first !in optional -> shape.append(first)
             }
@@ -41,17 +42,19 @@ internal object CodeShape {
     private fun isPoint(line: String, at: Int) = line[at] == '.' && line.getOrNull(at + 1)?.isDigit() == true
 
     /** `1.` is a number in GLSL; in Kotlin there are `1.toFloat()` and `1..2`. */
-    private fun isLastPoint(line: String, at: Int) = line[at] == '.' && line.getOrNull(at + 1).let { it == null || it != '.' && !isOfWord(it) }
+    private fun isLastPoint(line: String, at: Int) =
+        line[at] == '.' && line.getOrNull(at + 1).let { it == null || (it != '.' && !isOfWord(it)) }
 
     private fun end(line: String, from: Int): Int {
         val isNumber = line[from].isDigit() || line[from] == '.'
         var at = from + 1
-        while (at < line.length && (isOfWord(line[at]) || isNumber && isPoint(line, at) || isNumber && isLastPoint(line, at))) at++
+        while (at < line.length && (isOfWord(line[at]) || (isNumber && (isPoint(line, at) || isLastPoint(line, at))))) at++
         return at
     }
 
     /** `1`, `1.0`, `1f` and `1.0F` are one number; what is none is itself. */
-    private fun number(text: String): String = text.lowercase().trimEnd('f', 'l', 'u').toDoubleOrNull()?.toString() ?: text
+    private fun number(text: String): String =
+        text.takeIf { it.length < LONGEST_NUMBER }?.lowercase()?.trimEnd('f', 'l', 'u')?.toDoubleOrNull()?.toString() ?: text
 
     private fun isOfWord(char: Char) = char.isLetterOrDigit() || char == '_'
 }

@@ -5,11 +5,8 @@ import cga.grading.findings.Findings
 import cga.grading.findings.Graded
 import cga.grading.findings.Likeness
 import cga.grading.findings.LogExcerpt
-<<<<<<< HEAD
-import cga.grading.findings.Part
-=======
 import cga.grading.findings.Message
->>>>>>> main
+import cga.grading.findings.Part
 import cga.grading.findings.Refused
 import cga.grading.findings.RunFacts
 import cga.grading.sandbox.Outcome

@@ -4,8 +4,8 @@ import cga.framework.Home
 import cga.framework.InputError
 import cga.grading.findings.Check
 import cga.grading.findings.Mistake
-import cga.imaging.JsonNode
 import cga.grading.sandbox.Temporary
+import cga.imaging.JsonNode
 import java.nio.file.Files
 import java.nio.file.Path
 import java.security.MessageDigest

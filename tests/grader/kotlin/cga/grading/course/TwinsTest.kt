@@ -38,7 +38,13 @@ class TwinsTest {
 
     private fun run(vararg names: String, out: Path = this.out, resume: Boolean = false): List<GradedSubmission> {
         val submissions = FakeGrader.submissions(folder.resolve("in"), *names.map { it to "right" }.toTypedArray())
-        return FakeGrader.run(out, submissions, grader, resume).also { CourseReport.write(out, it, emptyList(), FakeGrader.settings.language) }
+        return FakeGrader
+            .run(
+                out,
+                submissions,
+                grader,
+                resume,
+            ).also { CourseReport.write(out, it, emptyList(), FakeGrader.settings.language) }
     }
 
     private fun page(name: String) = out.resolve("$name/report.html").readText()
@@ -70,7 +76,10 @@ class TwinsTest {
     fun `they are found again after an interruption, and among shards`() {
         run("abc", "qrt")
         assertFalse("The same" in page("abc"))
-        assertEquals(listOf(listOf("xbz"), emptyList(), listOf("abc")), run("abc", "qrt", "xbz", resume = true).map { it.twins.keys.toList() })
+        assertEquals(
+            listOf(listOf("xbz"), emptyList(), listOf("abc")),
+            run("abc", "qrt", "xbz", resume = true).map { it.twins.keys.toList() },
+        )
         assertTrue("The same" in page("abc"))
         run("uvc", out = folder.resolve("other"))
         val merged = ResultStore.open(folder.resolve("all"), resume = false).use { store ->

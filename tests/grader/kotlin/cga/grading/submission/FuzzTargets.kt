@@ -145,7 +145,10 @@ internal object TreeFuzz {
         val text = words.getOrElse(2) { "" }
         try {
             val path = given.resolve(PLACES.getOrElse(words[0].length % PLACES.size) { "" }).resolve(name.trimStart('/')).normalize()
-            if (!path.startsWith(given) || path == given) return
+            // Nor may the test write through the links that it makes.
+            val there = generateSequence(path.parent) { it.parent }.first { it.exists(NOFOLLOW_LINKS) }
+            val isInside = path.startsWith(given) && path != given && there.toRealPath().startsWith(given.toRealPath())
+            if (!isInside || path.exists(NOFOLLOW_LINKS)) return
             path.parent.createDirectories()
             when (words[0].firstOrNull()) {
                 'l' -> path.createSymbolicLinkPointingTo(Path.of(text))

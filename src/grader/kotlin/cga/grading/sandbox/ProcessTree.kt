@@ -116,7 +116,8 @@ internal class ProcessTree(
         }
 
     private companion object {
-        const val KILL_ROUNDS = 200
+        // Half a minute: on a machine with too much to do it takes seconds to die.
+        const val KILL_ROUNDS = 3000
         const val KILL_PAUSE = 10L
         const val FILE_KIND = 0xf000
         const val REGULAR_FILE = 0x8000

@@ -27,8 +27,13 @@ public class StarterFiles(
         }
 
     /** Every file of the starter, by its path. */
-    public fun all(): Map<String, ByteArray> {
-        val sources = templates().mapValues { (_, template) -> template.starter }.filterValues { it.isNotBlank() }
+    public fun all(): Map<String, ByteArray> = all { it.starter }
+
+    /** The same with nothing cut out: the starter as somebody fills it in who does everything right. */
+    internal fun solution(): Map<String, ByteArray> = all { it.solution }
+
+    private fun all(text: (Template) -> String): Map<String, ByteArray> {
+        val sources = templates().mapValues { (_, template) -> text(template) }.filterValues { it.isNotBlank() }
         val written = mapOf(CATALOGUE to catalogue(), MARKER to "$VERSION_LINE\nlanguage ${language.code}\n") + sources
         val own = below(PROJECT) { it.extension !in SOURCE_TYPES }.mapNotNull { path ->
             name(path.removePrefix("$PROJECT/"))?.let { it to withVersions(it, Home.read(path, "project")) }

@@ -67,7 +67,8 @@ internal class Solutions(
     }
 
     private fun filledIn(folder: Path): Path {
-        for ((name, bytes) in StarterFiles(StarterLanguage.ENGLISH).solution()) folder.resolve(name).createParentDirectories().writeBytes(bytes)
+        val files = StarterFiles(StarterLanguage.ENGLISH).solution()
+        for ((name, bytes) in files) folder.resolve(name).createParentDirectories().writeBytes(bytes)
         return folder
     }
 }

@@ -4,6 +4,7 @@ import cga.grading.findings.Check
 import cga.grading.findings.FailureReason
 import cga.grading.findings.Message
 import cga.grading.findings.Mistake
+import cga.grading.findings.Part
 import cga.grading.rubric.CheckState
 import java.math.BigDecimal
 import java.math.MathContext
@@ -95,6 +96,9 @@ internal class Messages private constructor(
 
     fun of(state: CheckState): String = text("state.${state.id}")
 
+    /** [parts] as they are spoken of. */
+    fun list(parts: Set<Part>): String = parts.joinToString { text("part.${it.id}") }
+
     /** [value] with at most [digits] after the point, which is a comma in German. */
     fun number(value: Double, digits: Int = 1): String {
         val plain = "%.${digits}f".format(Locale.ROOT, value)
@@ -107,6 +111,8 @@ internal class Messages private constructor(
         when {
             share > 0 && share < 0.001 -> "< ${number(0.1)} %"
             share > 10 -> "> 1000 %"
+            // What is nearly all is not all.
+            share < 1 && share > 0.9 -> "${number(minOf(100 * share, 99.9), 1)} %"
             else -> "${number(100 * share, if (share < 0.1) 1 else 0)} %"
         }
 

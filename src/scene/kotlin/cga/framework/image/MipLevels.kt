@@ -3,8 +3,8 @@ package cga.framework.image
 import cga.framework.image.TextureImage.Level
 
 /**
- * The smaller levels of a texture, by box filters. What is carried from level to level are exact sums, so that each level is the mean of the
- * full picture, rounded once: rounding what is rounded already makes a picture brighter from level to level. A mean half way between two
+ * The smaller levels of a texture, by box filters. What is carried from level to level are exact sums, so that each level is the mean of
+ * the full picture, rounded once: rounding what is rounded already makes a picture brighter from level to level. A mean half way between two
  * numbers goes to the even one, for always rounding it up would brighten too.
  *
  * @param step how often the picture was halved: [sums] are those of 4^step texels, channel by channel.
@@ -35,8 +35,9 @@ internal class MipLevels private constructor(
         val lower = 4 * from.width * minOf(2 * y, from.height - 1)
         val upper = 4 * from.width * minOf(2 * y + 1, from.height - 1)
         for (c in 0 until 4) {
-            val corners = from.sums[lower + left + c] + from.sums[lower + right + c] + from.sums[upper + left + c] + from.sums[upper + right + c]
-            sums[4 * (y * width + x) + c] = corners
+            val below = from.sums[lower + left + c] + from.sums[lower + right + c]
+            val above = from.sums[upper + left + c] + from.sums[upper + right + c]
+            sums[4 * (y * width + x) + c] = below + above
         }
     }
 

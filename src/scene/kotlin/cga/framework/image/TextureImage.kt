@@ -11,8 +11,8 @@ import org.joml.Vector3fc
  * rows from bottom to top, so that row 0 lies at t = 0.
  *
  * The levels are made here and not by `glGenerateMipmap`, whose filter OpenGL leaves open: every driver and the CPU reference
- * sample the same numbers. Each level is the mean of the full picture's texels, rounded once to the nearest 1/255; an odd last row or column
- * is left out (none is for power-of-two sizes, which ours are).
+ * sample the same numbers. Each level is the mean of the full picture's texels, rounded once to the nearest 1/255; an odd last row or
+ * column is left out (none is for power-of-two sizes, which ours are).
  *
  * @param color the exact colour, linear RGB, of a texture that has one colour only and is no picture; else null. It may exceed 1.
  */

@@ -86,7 +86,7 @@ class PictureOracleTest {
         const val HEIGHT = 270
         const val TIME = 5.3
 
-        /** The scene's matrices and angles are floats, the other program's are not: positions differ by 1e-7, texture coordinates by as many texels. */
+        /** The scene's matrices and angles are floats, the other program's are not: positions and texture coordinates differ by 1e-7. */
         const val BOUND = 0.02
     }
 }

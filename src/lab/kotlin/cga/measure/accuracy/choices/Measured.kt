@@ -67,7 +67,9 @@ internal object Pareto {
         val sorted = rows.sortedWith(compareBy({ it.cost.median }, error))
         val same = sorted.groupBy { it.truth }.values.maxByOrNull { it.size }.orEmpty()
         return same.filterIndexed { i, row ->
-            same.withIndex().none { (k, other) -> if (error(other) == error(row)) k < i else error(other) < error(row) && !isSlower(other, row) }
+            same.withIndex().none { (k, other) ->
+                if (error(other) == error(row)) k < i else error(other) < error(row) && !isSlower(other, row)
+            }
         }
     }
 

@@ -8,7 +8,8 @@ import org.lwjgl.opengl.GL33C.*
 import org.lwjgl.system.MemoryUtil
 
 /**
- * A picture on the GPU, 8-bit linear RGBA, or a single colour in floats; uploaded when first bound, so a texture can be made without a context.
+ * A picture on the GPU, 8-bit linear RGBA, or a single colour in floats; uploaded when first bound, so a texture can be made without a
+ * context.
  *
  * @param genMipMaps whether smaller levels are made for minification (see [TextureImage]).
  */

@@ -32,13 +32,17 @@ class CorpusGuardTest {
 
     @Test
     fun `what is worse is told from what is better`() {
-        val before = Judgement("a", Answer.UNKNOWN, 90.0, setOf("4.2.normals"))
+        val before = Judgement("a", Answer.UNKNOWN, 90.0, setOf("4.2.normals"), 95.0, true)
         assertNull(before.copy(answer = Answer.NAMED).worseThan(before))
         assertNull(before.copy(elsewhere = emptySet()).worseThan(before))
         assertNotNull(before.copy(answer = Answer.MISSED).worseThan(before))
         assertNotNull(before.copy(elsewhere = setOf("4.2.normals", "4.3.cone")).worseThan(before))
-        assertNotNull(before.copy(points = 91.0).worseThan(before))
+        assertNull(before.copy(points = 94.0).worseThan(before))
         assertNotNull(before.copy(points = 89.0).worseThan(before))
+        assertNotNull(before.copy(points = 100.5).worseThan(before))
+        assertNotNull(before.copy(line = false).worseThan(before))
+        assertNotNull(before.copy(line = null).worseThan(before))
+        assertNull(before.worseThan(before.copy(line = false)))
     }
 
     @Test

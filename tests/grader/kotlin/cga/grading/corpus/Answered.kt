@@ -86,9 +86,9 @@ internal class Answered(
         /** What may be said of everything that is missing. */
         private val UNDONE =
             setOf(
-                Mistake.LIGHT_MISSING, Mistake.SPOT_MISSING, Mistake.MORE_LIGHTS_MISSING, Mistake.ORBIT_MISSING, Mistake.ATTENUATION_MISSING,
-                Mistake.COLOR_CONSTANT, Mistake.EMISSION_COLOR_IGNORED, Mistake.PHONG_LEFT, Mistake.SPECULAR_MISSING, Mistake.DIFFUSE_MISSING,
-                Mistake.UNKNOWN,
+                Mistake.LIGHT_MISSING, Mistake.SPOT_MISSING, Mistake.MORE_LIGHTS_MISSING, Mistake.ORBIT_MISSING,
+                Mistake.ATTENUATION_MISSING, Mistake.COLOR_CONSTANT, Mistake.EMISSION_COLOR_IGNORED, Mistake.PHONG_LEFT,
+                Mistake.SPECULAR_MISSING, Mistake.DIFFUSE_MISSING, Mistake.UNKNOWN,
             )
 
         /** The verdict on the capture in [file]. Needs a current context. */

@@ -7,6 +7,7 @@ import cga.testing.projectRoot
 import org.junit.jupiter.api.Assertions.assertEquals
 import org.junit.jupiter.api.Assertions.assertNotNull
 import org.junit.jupiter.api.Assertions.assertNull
+import org.junit.jupiter.api.Assertions.assertTrue
 import org.junit.jupiter.api.Test
 import kotlin.io.path.createDirectories
 import kotlin.io.path.readText
@@ -49,6 +50,17 @@ class CorpusGuardTest {
     fun `every mistake is guarded`() {
         val expected = Corpus.all.flatMap { it.expectation.mistakes.flatten() }.toSet()
         assertEquals(emptySet<Any>(), expected - Guard.chosen().flatMap { it.expectation.mistakes.flatten() }.toSet())
+    }
+
+    @Test
+    fun `more work never earns less, and none earns next to nothing`() {
+        val judged = Judgement.read(Guard.expectations)
+        val steps =
+            listOf("starter-untouched", "solved-4-2", "solved-4-3", "solved-4-3-4", "solved-4-4", "solved-4-5", "solved-4-6", "solved-all")
+        val points = steps.map { judged.getValue(it).points }
+        assertEquals(points.sorted(), points)
+        assertTrue(points.first() <= 2 && judged.getValue("starter-one-line").points <= 2)
+        assertEquals(100.0, points.last())
     }
 
     @Test

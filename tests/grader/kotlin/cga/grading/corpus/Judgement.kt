@@ -37,8 +37,8 @@ internal data class Judgement(
         }
     }
 
-    /** Better than [expected] or as good, and not the same. */
-    fun isNewsAfter(expected: Judgement): Boolean = answer != expected.answer || elsewhere != expected.elsewhere
+    /** As it stands in the file. */
+    fun line(): String = "$name,${answer.name.lowercase().replace('_', ' ')},$points,$wanted,${LINES[line]},${elsewhere.joinToString(" ")}"
 
     companion object {
         /** Points are rounded to tenths; one of them may fall either way on another processor. */
@@ -54,31 +54,22 @@ internal data class Judgement(
 
         private fun Double.tenths() = "%.1f".format(Locale.ROOT, this).toDouble()
 
+        /** What [Judgement.line] wrote. */
+        fun parse(line: String): Judgement {
+            val (name, answer, points, wanted, right) = line.split(',')
+            val checks = line.substringAfterLast(',').split(' ').filter(String::isNotEmpty).toSet()
+            val isRight = LINES.entries.single { it.value == right }.key
+            val said = Answer.valueOf(answer.uppercase().replace(' ', '_'))
+            return Judgement(name, said, points.toDouble(), checks, wanted.toDouble(), isRight)
+        }
+
         /** By name; none where [file] is not there. */
         fun read(file: Path): Map<String, Judgement> =
-            if (!file.exists()) {
-                emptyMap()
-            } else {
-                file
-                    .readLines()
-                    .drop(1)
-                    .map { line ->
-                        val (name, answer, points, wanted, right) = line.split(',')
-                        val elsewhere = line.substringAfterLast(',')
-                        val checks = elsewhere.split(' ').filter(String::isNotEmpty).toSet()
-                        Judgement(
-                            name, Answer.valueOf(answer.uppercase().replace(' ', '_')), points.toDouble(), checks, wanted.toDouble(),
-                            LINES.entries.single { it.value == right }.key,
-                        )
-                    }.associateBy { it.name }
-            }
+            if (file.exists()) file.readLines().drop(1).map(::parse).associateBy { it.name } else emptyMap()
 
         /** Writes [all] in the order of the corpus. */
         fun write(file: Path, all: Map<String, Judgement>) {
-            val lines = Corpus.all.mapNotNull { all[it.name] }.map { judgement ->
-                val answer = judgement.answer.name.lowercase().replace('_', ' ')
-                with(judgement) { "$name,$answer,$points,$wanted,${LINES[line]},${elsewhere.joinToString(" ")}" }
-            }
+            val lines = Corpus.all.mapNotNull { all[it.name]?.line() }
             file.writeText((listOf(HEAD) + lines).joinToString("\n", postfix = "\n"))
         }
     }

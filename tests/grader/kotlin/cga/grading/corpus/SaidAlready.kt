@@ -2,9 +2,10 @@ package cga.grading.corpus
 
 import cga.grading.analysis.Analysis
 import java.nio.file.Path
+import java.nio.file.StandardOpenOption.APPEND
+import java.nio.file.StandardOpenOption.CREATE
 import java.util.zip.CRC32
 import kotlin.io.path.Path
-import kotlin.io.path.appendText
 import kotlin.io.path.createDirectories
 import kotlin.io.path.exists
 import kotlin.io.path.isRegularFile
@@ -12,6 +13,7 @@ import kotlin.io.path.name
 import kotlin.io.path.readBytes
 import kotlin.io.path.readLines
 import kotlin.io.path.walk
+import kotlin.io.path.writeText
 
 /**
  * What this grader, as it is compiled now, has said of captures: written down as soon as it is said, so that a run that was broken off goes on
@@ -31,7 +33,7 @@ internal class SaidAlready(folder: Path) {
         judgement: Judgement,
     ) {
         said[capture.name] = judgement.line()
-        file.appendText("${capture.name},${judgement.line()}\n")
+        file.writeText("${capture.name},${judgement.line()}\n", options = arrayOf(CREATE, APPEND))
     }
 
     /** Of the grader's classes and of what is expected of it, which are in two places. */

@@ -12,7 +12,8 @@ import kotlin.math.floor
 /**
  * The points of one submission. What nothing shows to be right earns nothing, and a defect costs once, where it belongs:
  *
- * 1. What the submission does not have earns nothing, whatever mistake may be the reason. What was not measured is open: a person looks.
+ * 1. What the submission does not have earns nothing, unless the analysis has determined that it is there, and only unseen because of a
+ *    mistake that is charged elsewhere ([Found.explains]). What was not measured is open: a person looks.
  * 2. A mistake with a name costs the check that it belongs to, by the share of the rubric; the same mistake twice, or two mistakes of one
  *    check, cost it once. Of a mistake that may belong to several, the first of them that is not right is meant.
  * 3. An error within the tolerance earns all points.
@@ -47,8 +48,10 @@ public class Grade private constructor(
         private fun home(found: Found, measured: Map<Check, Measured>, rubric: Rubric): Check? {
             if (found.mistake == Mistake.UNKNOWN) return null
             val homes = homesOf(found)
-            return homes.find { check -> (measured[check]?.error ?: 0.0) > rubric.rule(check).tolerance } ?: homes.first()
+            return homes.find { check -> measured[check].isWrong(rubric.rule(check).tolerance) } ?: homes.first()
         }
+
+        private fun Measured?.isWrong(tolerance: Double) = this != null && (standing == Standing.ABSENT || (error ?: 0.0) > tolerance)
 
         private fun grade(check: Check, measured: Measured?, homes: Map<Found, Check?>, rubric: Rubric): CheckGrade {
             val rule = rubric.rule(check)
@@ -66,9 +69,12 @@ public class Grade private constructor(
             val own = homes.filterValues { it == check }.keys.map { it.mistake }.maxByOrNull(rubric::cost)
             val others = homes.filterValues { it != check }.keys
             val error = measured?.error
+            val isAbsent = measured?.standing == Standing.ABSENT
+            val hider = others.find { it.mistake != Mistake.UNKNOWN && it.explains?.contains(check) == true }
             return when {
-                measured?.standing == Standing.ABSENT -> result(CheckState.NOT_FOUND, 0.0, own)
-                own != null -> result(CheckState.MISTAKE, 1 - rubric.cost(own), own)
+                own != null -> result(CheckState.MISTAKE, if (isAbsent) 0.0 else 1 - rubric.cost(own), own)
+                isAbsent && hider == null -> result(CheckState.NOT_FOUND, 0.0)
+                isAbsent -> result(CheckState.EXPLAINED, 1.0, hider?.mistake)
                 error == null -> result(CheckState.OPEN, null)
                 error <= rule.tolerance -> result(CheckState.RIGHT, 1.0)
                 else -> {

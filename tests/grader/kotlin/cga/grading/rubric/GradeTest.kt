@@ -101,15 +101,14 @@ class GradeTest {
     }
 
     @Test
-    fun `what is not there earns nothing, whatever the reason`() {
+    fun `what is not there earns nothing, unless the analysis says that it is there and why it is not seen`() {
         val checks = Check.entries.map { Measured(it, if (it.task == "4.6") null else 0.0, "", found = it.task != "4.6") }
 
         fun points(vararg mistakes: Found) = Grade.of(Findings(checks, mistakes.toList(), emptyList(), emptyList(), emptyList()), rubric)
         assertEquals(92.0, points().points)
         assertEquals(CheckState.NOT_FOUND, points().of(Check.MORE_LIGHTS).state)
-        val reason = points(found(Mistake.UNIFORM_ABSENT, setOf(Check.MORE_LIGHTS, Check.MORE_LIGHTS_SHADING)))
-        assertEquals(92.0, reason.points)
-        assertEquals(CheckState.NOT_FOUND to Mistake.UNIFORM_ABSENT, reason.of(Check.MORE_LIGHTS).let { it.state to it.cause })
+        assertEquals(96.0, points(found(Mistake.UNIFORM_ABSENT, setOf(Check.MORE_LIGHTS, Check.MORE_LIGHTS_SHADING))).points)
+        assertEquals(92.0, points(found(Mistake.CONE_INSIDE_OUT)).points + rubric.rule(Check.CONE).points)
     }
 
     @Test

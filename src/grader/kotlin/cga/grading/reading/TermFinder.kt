@@ -1,0 +1,111 @@
+package cga.grading.reading
+
+import cga.reader.shader.Operation
+import cga.reader.shader.Source
+import java.util.BitSet
+
+/** Finds the terms that the picture is the sum of. */
+internal class TermFinder(private val samples: Samples, private val factors: FactorFinder) {
+    /** Keys of what more than one channel is made of. */
+    private val shared = HashSet<Int>()
+
+    /** The terms of [spines], which are the three channels of each run. */
+    fun of(spines: List<List<Node>>): List<Term> {
+        for (channels in spines) shared += common(channels)
+        val expansion = Expansion({ it.key in shared }, { factors.of(it) != null })
+        val found = List(ShaderPair.CHANNELS) { LinkedHashMap<List<Part>, Monomial>() }
+        val runs = HashMap<List<Part>, BitSet>()
+        for ((run, channels) in spines.withIndex()) {
+            for ((channel, node) in channels.withIndex()) {
+                for ((key, same) in expansion.of(node).groupBy { it.key }) {
+                    found[channel].putIfAbsent(key, Monomial(same.sumOf { it.sign }, same[0].parts))
+                    runs.getOrPut(key, ::BitSet).set(run)
+                }
+            }
+        }
+        val all = found[0].values.map { red -> term(listOf(red) + found.drop(1).mapNotNull { partner(red, it.values) }, runs.getValue(red.key)) }
+        return all.groupBy(::signature).values.map(::merged)
+    }
+
+    /** What a term is but for constant factors. */
+    private fun signature(term: Term): Any =
+        listOf(term.textures, term.colors.map { it[0].key }, term.factors.filter { it !is Factor.Scale }.map { it.line to it.node.key }.toSet())
+
+    /** One term of [same], which differ in constant factors only: where something is mixed, both shares of it. */
+    private fun merged(same: List<Term>): Term {
+        val first = same[0]
+        if (same.size == 1) return first
+        fun scale(term: Term) = term.sign * term.factors.filterIsInstance<Factor.Scale>().fold(1.0) { product, it -> product * it.node.value }
+        val own = scale(first) / first.sign
+        if (own == 0.0) return merged(same.drop(1))
+        return Term(first.textures, first.colors, first.factors, same.sumOf(::scale) / own, first.runs)
+    }
+
+    /** The monomial of another channel that is like [red]: the same where both share, the same place where not. */
+    private fun partner(red: Monomial, others: Collection<Monomial>): Monomial? {
+        val own = shape(red)
+        return others.find { shape(it) == own }
+    }
+
+    private fun shape(monomial: Monomial): List<Any> =
+        monomial.parts.map { (node, power) -> (if (node.key in shared) node.key else kind(node)) to power }.sortedBy { it.toString() }
+
+    /** What a node of one channel is, whichever that is. */
+    private fun kind(node: Node): Any =
+        when (val source = node.source) {
+            is Source.Uniform -> "uniform ${source.slot.name}"
+            is Source.Input -> "input ${source.slot.name}"
+            is Source.Constant -> "constant"
+            null -> "${node.operation} ${node.line} ${textureOf(node)?.sampler}"
+            else -> "unset"
+        }
+
+    private fun common(channels: List<Node>): Set<Int> {
+        val sets = channels.map { reachable(it) }
+        return sets[0].intersect(sets[1]) + sets[0].intersect(sets[2]) + sets[1].intersect(sets[2])
+    }
+
+    private fun reachable(from: Node): Set<Int> {
+        val seen = HashSet<Int>()
+        val open = ArrayDeque(listOf(from))
+        while (open.isNotEmpty()) {
+            val node = open.removeLast()
+            if (seen.add(node.key)) open += node.operands
+        }
+        return seen
+    }
+
+    private fun term(channels: List<Monomial>, runs: BitSet): Term {
+        val red = channels[0]
+        val textures = ArrayList<Texel>()
+        val colors = ArrayList<List<Node>>()
+        val common = ArrayList<Factor>()
+        for ((node, power) in red.parts) {
+            val texel = textureOf(node)
+            if (texel != null) {
+                textures += texel
+            } else if (node.key in shared || node.source is Source.Constant) {
+                common += factor(node, power)
+            } else {
+                colors += listOf(node) + channels.drop(1).mapNotNull { other -> other.parts.map { it.first }.find { it.key !in shared && kind(it) == kind(node) } }
+            }
+        }
+        return Term(textures, colors, common, red.sign, runs)
+    }
+
+    private fun factor(node: Node, power: Int): Factor {
+        val known = factors.of(node)
+        if (power == 1) return known ?: if (node.operation == null) Factor.Scale(node) else Factor.Unknown(node)
+        // A denominator that is the sum of attenuation is what one divides by.
+        if (known is Factor.Fade && !known.isDivided) return Factor.Fade(known.way, known.k, true, node, true)
+        return if (known is Factor.Scale || node.operation == null) Factor.Scale(node) else Factor.Unknown(node)
+    }
+
+    /** The texture that [node] is a component of, perhaps to a power. */
+    private fun textureOf(node: Node): Texel? =
+        when (node.operation) {
+            Operation.TEXTURE -> (node.operands[0].source as? Source.Uniform)?.let { Texel(it.slot.name, 1.0) }
+            Operation.POW -> textureOf(node.operands[0])?.let { Texel(it.sampler, it.power * node.operands[1].value) }
+            else -> null
+        }
+}

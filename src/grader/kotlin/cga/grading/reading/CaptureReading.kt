@@ -27,11 +27,10 @@ internal data class Variant(val program: Int, val switches: List<Pair<String, Li
 
 /** What every program of a capture computes, and with that what every picture shows. */
 internal class CaptureReading(private val capture: Capture) {
-    private val draws = capture.draws.groupBy(Variant::of)
     private val failures = LinkedHashMap<Variant, String>()
 
     /** By variant, those that could be read. */
-    val programs: Map<Variant, ProgramReading> = draws.keys.take(MOST).mapNotNull { variant -> read(variant)?.let { variant to it } }.toMap()
+    val programs: Map<Variant, ProgramReading> = capture.draws.map(Variant::of).distinct().take(MOST).mapNotNull { variant -> read(variant)?.let { variant to it } }.toMap()
     val lights: Map<Variant, List<LightReading>> = programs.mapValues { (_, program) -> LightFinder(program).find() }
     private val readers = programs.mapValues { (variant, program) -> DrawReader(program, lights.getValue(variant)) }
     private val meshes = HashMap<List<Any?>, FloatArray>()
@@ -41,7 +40,7 @@ internal class CaptureReading(private val capture: Capture) {
 
     private fun read(variant: Variant): ProgramReading? =
         try {
-            ProgramReading.of(capture, variant.program, draws.getValue(variant)).also { if (it == null) failures[variant] = "no picture comes of its vertices" }
+            ProgramReading.of(capture, variant.program, capture.frames.map { frame -> frame.draws.filter { Variant.of(it) == variant } }).also { if (it == null) failures[variant] = "no picture comes of its vertices" }
         } catch (e: Unreadable) {
             failures[variant] = checkNotNull(e.message)
             null

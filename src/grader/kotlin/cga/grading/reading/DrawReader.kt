@@ -74,11 +74,12 @@ internal class DrawReader(private val reading: ProgramReading, private val light
         val nodes = samples.traces[0].vectors.find { it.key == cone.axis.key }?.nodes
         val axis = nodes?.let { Vector3d(it[0].value, it[1].value, it[2].value) } ?: Vector3d()
         val now = coneNow(cone, samples, spaces, axis) ?: return ObservedCone(toView.transformDirection(axis.normalize()), Double.NaN, Double.NaN)
-        val (full, dark) = edges(now)
-        // A cone is narrower than a half-space: the side of it is the light's.
-        val isBackwards = full + dark < 0
-        val direction = toView.transformDirection(Vector3d(axis)).normalize(if (isBackwards) -1.0 else 1.0)
-        fun angle(cosine: Double) = acos((if (isBackwards) -cosine else cosine).coerceIn(-1.0, 1.0))
+        // It shines to where it becomes brighter; all around but for a cone, it is that cone inside out.
+        val ahead = if (now.slope < 0) -1.0 else 1.0
+        val (full, dark) = edges(now).let { (full, dark) -> ahead * full to ahead * dark }
+        val isInverted = full < 0 && dark < 0
+        val direction = toView.transformDirection(Vector3d(axis)).normalize(if (isInverted) -ahead else ahead)
+        fun angle(cosine: Double) = acos((if (isInverted) -cosine else cosine).coerceIn(-1.0, 1.0))
         return ObservedCone(direction, angle(full), angle(dark))
     }
 

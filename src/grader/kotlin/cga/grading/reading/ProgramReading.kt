@@ -41,18 +41,18 @@ internal class ProgramReading private constructor(
         private const val REACH = 2.0
         private val FLOATS = setOf(GL_FLOAT, GL_FLOAT_VEC2, GL_FLOAT_VEC4)
 
-        /** Reads program [number] of [capture] as [draws] use it; null where no picture comes of it. Throws [Unreadable]. */
-        fun of(capture: Capture, number: Int, draws: List<CapturedDraw>): ProgramReading? {
+        /** Reads program [number] of [capture] as the draws of [frames] use it; null where no picture comes of it. Throws [Unreadable]. */
+        fun of(capture: Capture, number: Int, frames: List<List<CapturedDraw>>): ProgramReading? {
             val program = capture.programs[number]
             val pair = ShaderPair.of(program)
             if (pair.color == null) return null
             val probe = Probe(pair, program)
             val random = Random(SEED)
-            val draw = representative(draws) ?: return null
+            val draw = representative(frames.flatten()) ?: return null
             probe.setTextures(emptyMap())
             val position = position(probe, draw) ?: return null
             val spaceFinder = SpaceFinder(probe, position)
-            spaceFinder.learn(values(draw))
+            spaceFinder.learn(frames, draw)
             val spaces = spaceFinder.of(values(draw)) ?: return null
             val uniforms = values(draw) + randomized(draw, spaces, random)
             probe.set(uniforms)

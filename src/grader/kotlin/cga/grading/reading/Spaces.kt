@@ -1,5 +1,6 @@
 package cga.grading.reading
 
+import cga.grading.capture.CapturedDraw
 import org.joml.Matrix3d
 import org.joml.Matrix4d
 import org.joml.Matrix4dc
@@ -28,18 +29,46 @@ internal class SpaceFinder(private val probe: Probe, private val position: Int) 
 
     private var chain: Chain? = null
 
-    /** The matrices that tell the program's matrices apart, from the draw whose [values] are meant to be the most different ones. */
-    fun learn(values: Map<String, DoubleArray>) {
-        val maps = maps(values) ?: return
+    /**
+     * Finds out which matrix is which.
+     *
+     * @param frames the program's draws, picture by picture.
+     * @param draw the one whose matrices differ most from none.
+     */
+    fun learn(frames: List<List<CapturedDraw>>, draw: CapturedDraw) {
+        val maps = maps(ProgramReading.values(draw)) ?: return
         val whole = maps[WHOLE] ?: return
         val rest = maps - WHOLE
         val modelView = rest.keys.find { isPerspective(whole, rest.getValue(it)) }
         val product = modelView?.let(rest::getValue) ?: split(whole)?.second ?: return
+        chain = Chain(modelView, null, null)
         val moving = rest.filterValues { !isIdentity(it) }
-        val pair = moving.keys.asSequence()
+        val sent = moving.keys.filterIsInstance<String>().filter { isView(it, frames) }
+        val pair = (sent + (moving.keys - sent.toSet())).asSequence()
             .flatMap { view -> moving.keys.asSequence().map { view to it } }
             .find { (view, model) -> view != model && isNear(Matrix4d(rest.getValue(view)).mul(rest.getValue(model)), product) }
-        chain = if (pair != null) Chain(modelView, pair.first, pair.second) else Chain(modelView, null, alone(whole, moving))
+        chain = when {
+            pair != null && (pair.first in sent || sent.isEmpty()) -> Chain(modelView, pair.first, pair.second)
+            sent.isNotEmpty() -> Chain(modelView, sent[0], null)
+            else -> Chain(modelView, null, alone(whole, moving))
+        }
+    }
+
+    /** Whether [name] is the same for all that is drawn in a picture, and whether through it some thing, the ground, keeps its place in all pictures. */
+    private fun isView(name: String, frames: List<List<CapturedDraw>>): Boolean {
+        val some = frames.filter { it.isNotEmpty() }.let { all -> all.filterIndexed { i, _ -> i % (1 + all.size / FRAMES) == 0 } }
+        if (some.any { draws -> draws.map { matrixOf(it, name) }.distinct().size != 1 }) return false
+        val places = some.flatMap { it }.groupBy { draw -> draw.attributes.map { it.buffer } to draw.count }.values.filter { it.size >= some.size }
+        return places.any { same -> same.map { model(it, name) ?: return false }.zipWithNext().all { (a, b) -> isNear(a, b) } }
+    }
+
+    private fun matrixOf(draw: CapturedDraw, name: String): List<Float>? =
+        draw.uniforms.find { it.name == name }?.numbers?.toList()?.takeIf { m -> m.size == 16 && m[3] == 0f && m[7] == 0f && m[11] == 0f && m[15] == 1f }
+
+    private fun model(draw: CapturedDraw, view: String): Matrix4d? {
+        val spaces = of(ProgramReading.values(draw)) ?: return null
+        val numbers = matrixOf(draw, view) ?: return null
+        return Matrix4d().set(DoubleArray(16) { numbers[it].toDouble() }).invert().mul(spaces.modelView)
     }
 
     /** The matrix without which what is left of [whole] is a rigid view and a projection: the model's. */
@@ -59,7 +88,7 @@ internal class SpaceFinder(private val probe: Probe, private val position: Int) 
             if (given != null) Matrix4d(whole).mul(Matrix4d(given).invert()) to given else split(whole) ?: return null
         val model = chain.model?.let(maps::get)
         val view = chain.view?.let(maps::get) ?: model?.let { Matrix4d(modelView).mul(Matrix4d(it).invert()) }
-        return Spaces(projection, modelView, view, model)
+        return Spaces(projection, modelView, view, model ?: view?.let { Matrix4d(it).invert().mul(modelView) })
     }
 
     /** Every matrix that there is, by the name of its uniform or the key of the vector that it leads to. */
@@ -120,6 +149,9 @@ internal class SpaceFinder(private val probe: Probe, private val position: Int) 
 
     private companion object {
         const val WHOLE = "gl_Position"
+
+        /** Of all pictures so many tell what the others would. */
+        const val FRAMES = 6
 
         /** Matrices are sent as floats. */
         const val NEAR = 1e-4

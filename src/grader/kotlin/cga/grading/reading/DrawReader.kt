@@ -29,7 +29,7 @@ internal class DrawReader(private val reading: ProgramReading, private val light
         val scale = scale(light, samples)
         val color = light.color?.let { nodes -> Vector3d(nodes.map { samples.values(it)[0] }.toDoubleArray()) } ?: Vector3d(1.0)
         return ObservedLight(
-            light.name, toView.transformPosition(place), color.mul(scale), k(light, samples, spaces), light.cone?.let { cone(it, samples, spaces, toView) },
+            light.name, toView.transformPosition(place), color.mul(scale), k(light, samples, spaces), light.cone?.let { cone(it, light.sign, samples, spaces, toView) },
             placedBy(light),
             isViewed = false,
             fadedBy(light),
@@ -45,6 +45,7 @@ internal class DrawReader(private val reading: ProgramReading, private val light
     /** Where [way] leads to in this draw, in its space. */
     fun place(way: ToPoint, samples: Samples, spaces: Spaces): Vector3d? {
         val matrix = spaces.all()[way.space] ?: return null
+        if (way.vector.isEnd) return samples.traces[0].vectors.find { it.key == way.vector.key }?.nodes?.let { Vector3d(it[0].value, it[1].value, it[2].value) }
         val raw = reading.vectors.find { !it.isUnit && it.fromPosition == way.vector.fromPosition && it.constant == way.vector.constant } ?: return null
         val vector = samples.traces[0].vectors.find { it.key == raw.key } ?: return null
         val value = Vector3d(vector.nodes[0].value, vector.nodes[1].value, vector.nodes[2].value).mul(way.sign)
@@ -70,7 +71,7 @@ internal class DrawReader(private val reading: ProgramReading, private val light
         return Vector3d(k[0], k[1], k[2])
     }
 
-    private fun cone(cone: Factor.Cone, samples: Samples, spaces: Spaces, toView: Matrix4d): ObservedCone {
+    private fun cone(cone: Factor.Cone, sign: Double, samples: Samples, spaces: Spaces, toView: Matrix4d): ObservedCone {
         val nodes = samples.traces[0].vectors.find { it.key == cone.axis.key }?.nodes
         val axis = nodes?.let { Vector3d(it[0].value, it[1].value, it[2].value) } ?: Vector3d()
         val now = coneNow(cone, samples, spaces, axis) ?: return ObservedCone(toView.transformDirection(axis.normalize()), Double.NaN, Double.NaN)
@@ -78,7 +79,7 @@ internal class DrawReader(private val reading: ProgramReading, private val light
         val ahead = if (now.slope < 0) -1.0 else 1.0
         val (full, dark) = edges(now).let { (full, dark) -> ahead * full to ahead * dark }
         val isInverted = full < 0 && dark < 0
-        val direction = toView.transformDirection(Vector3d(axis)).normalize(if (isInverted) -ahead else ahead)
+        val direction = toView.transformDirection(Vector3d(axis)).normalize(if (isInverted) -ahead * sign else ahead * sign)
         fun angle(cosine: Double) = acos((if (isInverted) -cosine else cosine).coerceIn(-1.0, 1.0))
         return ObservedCone(direction, angle(full), angle(dark))
     }
@@ -93,6 +94,10 @@ internal class DrawReader(private val reading: ProgramReading, private val light
 
     /** The cone with the numbers of this draw. Those of its shape seldom change, so a draw with the same has the same. */
     private fun coneNow(cone: Factor.Cone, samples: Samples, spaces: Spaces, axis: Vector3d): Factor.Cone? {
+        if (cone.comparedAs != null) {
+            val edge = cone.comparedAs.cosine(samples.values(cone.node)[0], axis.length())
+            return Factor.Cone(cone.way, cone.axis, false, Falloff.HARD, cone.slope, edge, true, true, cone.node, cone.comparedAs)
+        }
         val node = samples.traces[0].nodes.find { it.key == cone.node.key } ?: return null
         val scalars = sources(node).filter { it.slot.size == 1 }.map { it.slot.name to samples.traces[0].let { _ -> valueOf(node, it) } }
         return cones.getOrPut(listOf(cone.node.key, axis.length(), scalars)) {

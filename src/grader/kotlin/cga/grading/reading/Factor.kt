@@ -70,7 +70,12 @@ internal sealed interface Factor {
         val isNodeSum: Boolean,
     ) : Factor
 
-    /** A spotlight's intensity: [slope]·cos θ + [offset], limited to at least 0 and at most 1 where it is. */
+    /**
+     * A spotlight's intensity: [slope]·cos θ + [offset], limited to at least 0 and at most 1 where it is.
+     *
+     * @property isLong whether the vector to the light is not divided by its length, so that the cone is the wider the farther it reaches.
+     * @property comparedAs what is compared with [node], where a branch decides by that; [offset] is the cosine of the edge then.
+     */
     class Cone(
         val way: ToPoint,
         val axis: KnownVector,
@@ -81,7 +86,12 @@ internal sealed interface Factor {
         val isLimitedBelow: Boolean,
         val isLimitedAbove: Boolean,
         override val node: Node,
-    ) : Factor
+        val comparedAs: Measure? = null,
+        val isLong: Boolean = false,
+    ) : Factor {
+        /** The same about a vector to the light that has its full length. */
+        fun long(): Cone = Cone(way, axis, isAxisUnit, falloff, slope, offset, isLimitedBelow, isLimitedAbove, node, comparedAs, isLong = true)
+    }
 
     /** The same number everywhere. */
     class Scale(override val node: Node) : Factor

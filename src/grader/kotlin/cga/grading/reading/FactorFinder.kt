@@ -20,9 +20,11 @@ internal class FactorFinder(
     private val sweeps: Sweeps,
 ) {
     private val known = HashMap<Int, Factor?>()
-    private val places = places(vectors, spaces)
+    private val places = places(vectors, spaces) + if (hasDistances()) waysTo(constants(vectors).filter { it.nodes[0].source != null }, spaces) else emptyList()
     private val normals = vectors.filter { it.dependsOnNormal }
     private val constants = constants(vectors)
+
+    private fun hasDistances() = samples.traces[0].nodes.any { it.origin == "distance" }
 
     /** Those from which the camera is seen. */
     val eyes: List<ToPoint> = places.filter(::isEye)

@@ -8,16 +8,27 @@ import cga.reader.shader.Source
  * @property name of the uniform of its colour; where it has none, of what stands for it.
  * @property color red, green and blue; null where it has no colour of its own.
  * @property way from the surface to where it is.
+ * @property sharesColor whether it has the colour of a light before it.
+ * @property gate where a branch lets it shine at all.
  */
 internal class LightReading(
     val name: String,
     val color: List<Node>?,
     val way: ToPoint,
     val terms: List<Term>,
+    specularSamplers: Set<String>,
+    val sharesColor: Boolean,
+    val gate: Factor.Cone?,
 ) {
-    val diffuse: List<Term> = terms.filter { term -> term.factors.none { it is Factor.Highlight } && term.factors.any { it is Factor.Cosine } }
-    val specular: List<Term> = terms.filter { term -> term.factors.any { it is Factor.Highlight } }
-    val cone: Factor.Cone? = terms.firstNotNullOfOrNull { term -> term.factors.firstNotNullOfOrNull { it as? Factor.Cone } }
+    private val isSpecular = terms.associateWith { term ->
+        term.factors.any { it is Factor.Highlight } || (term.factors.any { it is Factor.Unknown } && term.textures.any { it.sampler in specularSamplers })
+    }
+    val specular: List<Term> = terms.filter(isSpecular::getValue)
+    val diffuse: List<Term> = (terms - specular.toSet()).filter { term -> term.factors.any { it is Factor.Cosine } }
+    val cone: Factor.Cone? = terms.firstNotNullOfOrNull { term -> term.factors.firstNotNullOfOrNull { it as? Factor.Cone } } ?: gate
+
+    /** −1 where the vector to the light leads away from it. */
+    val sign: Double get() = diffuse.firstNotNullOfOrNull { term -> term.factors.firstNotNullOfOrNull { it as? Factor.Cosine } }?.light?.sign ?: 1.0
     val fade: Factor.Fade? = terms.firstNotNullOfOrNull { term -> term.factors.firstNotNullOfOrNull { it as? Factor.Fade } }
 }
 
@@ -41,16 +52,22 @@ internal class LightFinder(private val reading: ProgramReading) {
         val exclusive = own.keys - elsewhere
         if (key != null && (own.size == 1 || exclusive.size <= 1)) {
             val place = exclusive.singleOrNull() ?: own.maxBy { it.value.size }.key
-            return listOf(light(terms, place))
+            return listOf(light(terms, place, 0))
         }
-        return own.keys.map { place -> light(own.getValue(place), place) }
+        return own.keys.mapIndexed { i, place -> light(own.getValue(place), place, i) }
     }
 
-    private fun light(terms: List<Term>, place: Any): LightReading {
+    /** Light number [number] of those that have one colour. */
+    private fun light(terms: List<Term>, place: Any, number: Int): LightReading {
         val color = colorOf(terms[0])
         val way = terms.flatMap { it.ways }.find { placeOf(it) == place } ?: terms[0].ways[0]
-        return LightReading(nameOf(color), color, way, terms)
+        val name = nameOf(color) + if (number == 0) "" else " (${number + 1})"
+        val gate = if (terms.any { term -> term.factors.any { it is Factor.Cone } }) null else reading.gates.of(way, terms)
+        return LightReading(name, color, way, terms, specularSamplers, color != null && number > 0, gate)
     }
+
+    private val specularSamplers = lit.filter { term -> term.factors.any { it is Factor.Highlight } }.flatMap { it.textures }.map { it.sampler }.toSet() -
+        lit.filter { term -> term.factors.none { it is Factor.Highlight || it is Factor.Unknown } }.flatMap { it.textures }.map { it.sampler }.toSet()
 
     private fun mainWay(term: Term): ToPoint =
         term.factors.firstNotNullOfOrNull { (it as? Factor.Cosine)?.light?.way ?: (it as? Factor.Highlight)?.light?.way } ?: term.ways[0]
@@ -66,6 +83,5 @@ internal class LightFinder(private val reading: ProgramReading) {
             else -> color?.get(0)?.let { "line ${it.line.line}" } ?: "light"
         }
 
-    private fun placeOf(way: ToPoint): Any =
-        listOf(way.space) + listOf(way.place.x(), way.place.y(), way.place.z()).map { Math.round(it * 1e6) }
+    private fun placeOf(way: ToPoint): Any = way.inView(reading.spaces).let { listOf(it.x, it.y, it.z) }.map { Math.round(it * 1e5) }
 }

@@ -3,7 +3,6 @@ package cga.grading.reading
 import cga.grading.capture.Capture
 import cga.grading.capture.CapturedDraw
 import cga.grading.capture.UniformValue
-import cga.reader.shader.Operation
 import cga.reader.shader.Source
 import org.joml.Matrix4d
 import org.joml.Vector3d
@@ -29,6 +28,9 @@ internal class ProgramReading private constructor(
     val position: Int,
     private val uniforms: Map<String, DoubleArray>,
 ) {
+    /** Branches that let lights shine in cones only. */
+    val gates: Gates = Gates(samples, spaces, FactorFinder.constants(vectors))
+
     /** What happens inside of a triangle, under the uniforms that the program was read with. */
     fun inside(corners: List<SamplePoint>, weights: DoubleArray): Trace? {
         probe.set(uniforms)
@@ -67,9 +69,9 @@ internal class ProgramReading private constructor(
             val sweeps = Sweeps(probe, spaces, first.points[0])
             val samples = first.with(Samples.of(probe, sweeps.points(FactorFinder.places(vectors, spaces), FactorFinder.constants(vectors), first, random)))
             val factors = FactorFinder(samples, vectorFinder, vectors, spaces, sweeps)
-            val (encoding, spine) = Encoding.of(samples)
-            val terms = TermFinder(samples, factors).of(spine)
-            return ProgramReading(probe, spaceFinder, spaces, samples, vectorFinder, factors, vectors, terms, encoding, normal, position, uniforms)
+            val encoded = Encoding.of(samples)
+            val terms = TermFinder(samples, factors).of(encoded.sums)
+            return ProgramReading(probe, spaceFinder, spaces, samples, vectorFinder, factors, vectors, terms, encoded.encoding, normal, position, uniforms)
         }
 
         fun values(draw: CapturedDraw): Map<String, DoubleArray> =
@@ -126,38 +128,3 @@ internal class ProgramReading private constructor(
     }
 }
 
-/** How the sum of the terms becomes the colour: raised to [power] at the end, 1 where it is not. */
-internal class Encoding(val power: Double, val lines: Set<ShaderLine>) {
-    companion object {
-        /** The encoding and, for each trace, the sums that it encodes. */
-        fun of(samples: Samples): Pair<Encoding, List<List<Node>>> {
-            var power = 1.0
-            val lines = HashSet<ShaderLine>()
-            val spines = samples.traces.mapIndexed { i, trace ->
-                trace.color.map { channel ->
-                    var node = channel
-                    while (true) {
-                        val next = step(node, samples) ?: break
-                        if (i == 0 && channel === trace.color[0]) power *= next.second
-                        if (next.second != 1.0) lines += node.line
-                        node = next.first
-                    }
-                    node
-                }
-            }
-            return Encoding(power, lines) to spines
-        }
-
-        private fun step(node: Node, samples: Samples): Pair<Node, Double>? =
-            when (node.operation) {
-                Operation.POW -> (node.operands[0] to node.operands[1].value).takeIf { isSum(node.operands[0]) && isSame(node.operands[1], samples) }
-                Operation.SQRT -> (node.operands[0] to 0.5).takeIf { isSum(node.operands[0]) }
-                Operation.MIN, Operation.MAX -> node.operands.first { it.value == node.value || it === node.operands[1] }.let { it to 1.0 }.takeIf { it.first.operation != null }
-                else -> null
-            }
-
-        private fun isSame(node: Node, samples: Samples) = samples.values(node).filter { !it.isNaN() }.distinct().size == 1
-
-        private fun isSum(node: Node): Boolean = node.operation != null && node.operation != Operation.TEXTURE
-    }
-}

@@ -22,7 +22,7 @@ internal class Sweeps(private val probe: Probe, private val spaces: Spaces, priv
         val pairs = pairs ?: pairs(places, constants, samples).also { pairs = it }
         for ((place, axis) in pairs) {
             val sweep = made.getOrPut(place to axis) { sweep(place, axis) } ?: continue
-            of(node, place, axis, sweep)?.takeIf { fits(it, node, samples) }?.let { return it }
+            of(node, place, axis, sweep)?.let { found -> listOf(found, found.long()).find { fits(it, node, samples) } }?.let { return it }
         }
         return null
     }
@@ -144,7 +144,9 @@ internal class Sweeps(private val probe: Probe, private val spaces: Spaces, priv
         val values = samples.values(node)
         val direction = Vector3d(cone.axis.constant).normalize()
         return values.indices.filter { samples.isPresent(node, it) && values[it].isFinite() }.all { i ->
-            val cosine = cosine(samples.points[i].position, cone.way, direction)
+            // With a vector of full length it is the distance of the sweep at which the numbers are those of the shape.
+            val length = if (cone.isLong) spaces.all().getValue(cone.way.space).transformPosition(Vector3d(samples.points[i].position)).distance(Vector3d(cone.way.place)) / REACH else 1.0
+            val cosine = length * cosine(samples.points[i].position, cone.way, direction)
             val x = if (cone.falloff == Falloff.IN_ANGLE) acos(cosine) else cosine
             when (cone.falloff) {
                 Falloff.HARD -> (cone.slope * (cosine - cone.offset) > 0) == (values[i] == 1.0) || abs(cosine - cone.offset) < 0.03

@@ -9,15 +9,15 @@ internal class TermFinder(private val samples: Samples, private val factors: Fac
     /** Keys of what more than one channel is made of. */
     private val shared = HashSet<Int>()
 
-    /** The terms of [spines], which are the three channels of each run. */
-    fun of(spines: List<List<Node>>): List<Term> {
-        for (channels in spines) shared += common(channels)
+    /** The terms of [sums], which are those of the three channels of each run. */
+    fun of(sums: List<List<List<Node>>>): List<Term> {
+        for (channels in sums) shared += common(channels)
         val expansion = Expansion({ it.key in shared }, { factors.of(it) != null })
         val found = List(ShaderPair.CHANNELS) { LinkedHashMap<List<Part>, Monomial>() }
         val runs = HashMap<List<Part>, BitSet>()
-        for ((run, channels) in spines.withIndex()) {
-            for ((channel, node) in channels.withIndex()) {
-                for ((key, same) in expansion.of(node).groupBy { it.key }) {
+        for ((run, channels) in sums.withIndex()) {
+            for ((channel, nodes) in channels.withIndex()) {
+                for ((key, same) in nodes.flatMap(expansion::of).groupBy { it.key }) {
                     found[channel].putIfAbsent(key, Monomial(same.sumOf { it.sign }, same[0].parts))
                     runs.getOrPut(key, ::BitSet).set(run)
                 }
@@ -60,14 +60,14 @@ internal class TermFinder(private val samples: Samples, private val factors: Fac
             else -> "unset"
         }
 
-    private fun common(channels: List<Node>): Set<Int> {
-        val sets = channels.map { reachable(it) }
+    private fun common(channels: List<List<Node>>): Set<Int> {
+        val sets = channels.map(::reachable)
         return sets[0].intersect(sets[1]) + sets[0].intersect(sets[2]) + sets[1].intersect(sets[2])
     }
 
-    private fun reachable(from: Node): Set<Int> {
+    private fun reachable(from: List<Node>): Set<Int> {
         val seen = HashSet<Int>()
-        val open = ArrayDeque(listOf(from))
+        val open = ArrayDeque(from)
         while (open.isNotEmpty()) {
             val node = open.removeLast()
             if (seen.add(node.key)) open += node.operands

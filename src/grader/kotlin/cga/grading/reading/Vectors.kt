@@ -14,6 +14,7 @@ internal enum class Space { VIEW, WORLD, MODEL }
  * A vector of a shader, known as a function of the vertex: fromPosition · p + fromNormal · n + constant, where p and the unit vector n are in model space.
  *
  * @property isUnit whether it is divided by its length.
+ * @property isEnd whether [nodes] are where it leads to, and itself it is nowhere: `distance(a, b)` has no vector.
  */
 internal class KnownVector(
     val key: Int,
@@ -23,6 +24,7 @@ internal class KnownVector(
     val isUnit: Boolean,
     val line: ShaderLine,
     val nodes: List<Node>,
+    val isEnd: Boolean = false,
 ) {
     /** It at [point], whose normal is [normal]. */
     fun at(point: Vector3dc, normal: Vector3dc, isUnit: Boolean = this.isUnit): Vector3d {
@@ -109,6 +111,24 @@ internal class VectorFinder(private val samples: Samples, private val normal: In
  * @property sign −1 where the vector leads from the point to the surface.
  */
 internal class ToPoint(val vector: KnownVector, val space: Space, val place: Vector3dc, val sign: Double)
+
+/** Where it leads to, in view space. */
+internal fun ToPoint.inView(spaces: Spaces): Vector3d =
+    when (space) {
+        Space.VIEW -> Vector3d(place)
+        Space.WORLD -> (spaces.view ?: spaces.modelView).transformPosition(Vector3d(place))
+        Space.MODEL -> spaces.modelView.transformPosition(Vector3d(place))
+    }
+
+/** The ways from the surface to [ends], in every space. */
+internal fun waysTo(ends: List<KnownVector>, spaces: Spaces): List<ToPoint> =
+    ends.flatMap { end ->
+        spaces.all().map { (space, matrix) ->
+            val constant = Vector3d(end.constant).sub(matrix.m30(), matrix.m31(), matrix.m32())
+            val vector = KnownVector(end.key, Matrix3d(matrix).scale(-1.0), Matrix3d().zero(), constant, false, end.line, end.nodes, isEnd = true)
+            ToPoint(vector, space, end.constant, 1.0)
+        }
+    }
 
 /** What [vector] leads to, null where it is no such way. */
 internal fun toPoint(vector: KnownVector, spaces: Spaces): ToPoint? {

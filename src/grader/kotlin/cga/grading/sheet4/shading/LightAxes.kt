@@ -17,6 +17,7 @@ import cga.grading.reading.Space
 import cga.grading.reading.Term
 import cga.grading.reading.ToPoint
 import cga.grading.reading.all
+import cga.grading.reading.inView
 import cga.reader.shader.Source
 import org.joml.Matrix3d
 import org.joml.Vector3d
@@ -41,6 +42,7 @@ internal class LightAxes(
     fun deviations(): List<Deviation> {
         cosines.forEach(::cosine)
         highlights.forEach(::highlight)
+        if (light.sharesColor) add(Mistake.LATER_LIGHTS_FIRST_COLOR, light.terms.firstOrNull()?.factors?.firstOrNull()?.line)
         fade()
         cone()
         unknown()
@@ -54,7 +56,7 @@ internal class LightAxes(
     private fun cosine(factor: Factor.Cosine) {
         way(factor.light.way, factor.line)
         normal(factor.normal.vector, factor.light.way.space, factor.line)
-        if (factor.light.sign * factor.light.way.sign.let { 1.0 } < 0) add(Mistake.LIGHT_VECTOR_SIGN, factor.line)
+        if (factor.light.sign < 0) add(Mistake.LIGHT_VECTOR_SIGN, factor.line)
         if (!factor.light.isUnit) add(Mistake.TO_LIGHT_NOT_NORMALIZED, factor.line)
         when (factor.clamp) {
             Clamp.ZERO, Clamp.ZERO_TO_ONE -> Unit
@@ -93,7 +95,7 @@ internal class LightAxes(
 
     private fun isOwn(way: ToPoint) = isSame(way, light.way)
 
-    private fun isSame(a: ToPoint, b: ToPoint) = a.space == b.space && a.place.distance(b.place.x(), b.place.y(), b.place.z()) < 1e-6
+    private fun isSame(a: ToPoint, b: ToPoint) = a.inView(reading.spaces).distance(b.inView(reading.spaces)) < 1e-4
 
     private fun normal(vector: KnownVector, space: Space, line: ShaderLine) {
         val right = reading.spaces.all()[space]?.let { Matrix3d(it).normal() } ?: return
@@ -118,7 +120,8 @@ internal class LightAxes(
     private fun highlight(factor: Factor.Highlight) {
         way(factor.light.way, factor.line)
         if (cosines.isEmpty()) normal(factor.normal.vector, factor.light.way.space, factor.line)
-        if (factor.eye.sign < 0 || factor.light.sign < 0) add(Mistake.VIEW_VECTOR_SIGN, factor.line)
+        // Where the vector to the light itself is the wrong way round that is said already.
+        if (factor.eye.sign < 0 || factor.light.sign != light.sign) add(Mistake.VIEW_VECTOR_SIGN, factor.line)
         if (reading.factors.eyes.none { isSame(it, factor.eye.way) }) add(Mistake.UNKNOWN, factor.line, check = Check.SPECULAR, text = "eye-elsewhere")
         when (factor.lobe) {
             Lobe.HALF -> if (!factor.light.isUnit || !factor.eye.isUnit) add(Mistake.HALF_VECTOR_NOT_NORMALIZED, factor.line, text = "half-of-long-vectors")
@@ -161,10 +164,11 @@ internal class LightAxes(
 
     private fun cone() {
         val cone = light.cone ?: return
-        val isOnBoth = light.specular.isEmpty() || light.specular.all { term -> term.factors.any { it is Factor.Cone } }
+        val isOnBoth = light.specular.isEmpty() || light.gate != null || light.specular.all { term -> term.factors.any { it is Factor.Cone } }
         if (!isOnBoth) add(Mistake.SPECULAR_NOT_CONED, cone.line)
         if (!isOwn(cone.way)) add(Mistake.UNKNOWN, cone.line, check = Check.CONE, text = "cone-of-another-way")
         when {
+            cone.isLong -> add(Mistake.UNKNOWN, cone.line, check = Check.CONE, text = "cone-of-a-long-vector")
             cone.falloff == Falloff.HARD -> add(Mistake.CONE_HARD_EDGE, cone.line)
             cone.falloff != Falloff.LINEAR -> add(Mistake.UNKNOWN, cone.line, check = Check.CONE, text = "falloff-${cone.falloff.name.lowercase()}")
             !cone.isLimitedAbove || !cone.isLimitedBelow -> add(Mistake.CONE_CLAMP_MISSING, cone.line)

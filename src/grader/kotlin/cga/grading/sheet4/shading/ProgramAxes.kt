@@ -50,6 +50,7 @@ internal class ProgramAxes(private val reading: ProgramReading, private val ligh
 
     private fun gamma(): List<Deviation> {
         val powers = reading.terms.flatMap { it.textures }.map { it.power }
+        if (reading.encoding.isPartial) return one(Mistake.UNKNOWN, Check.EMISSION, "added-after-the-encoding")
         return if (reading.encoding.power > 1 + 1e-6 || powers.any { it < 0.8 }) one(Mistake.GAMMA_DIRECTION) else emptyList()
     }
 }

@@ -122,7 +122,7 @@ internal class DrawReader(private val reading: ProgramReading, private val light
     private fun sources(node: Node): List<Source.Uniform> = leaves(node).mapNotNull { it.source as? Source.Uniform }
 
     private fun leaves(node: Node): List<Node> {
-        val seen = HashSet<Int>()
+        val seen = HashSet<Long>()
         val found = ArrayList<Node>()
         val open = ArrayDeque(listOf(node))
         while (open.isNotEmpty()) {

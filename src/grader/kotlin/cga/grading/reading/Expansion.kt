@@ -4,7 +4,7 @@ import cga.reader.shader.Operation
 import cga.reader.shader.Source
 
 /** A number in a product; [power] is −1 in a denominator. */
-internal data class Part(val key: Int, val power: Int)
+internal data class Part(val key: Long, val power: Int)
 
 /** A summand of a channel: [sign] times the product of its parts. As often as it is there, so large is [sign]. */
 internal class Monomial(val sign: Double, val parts: List<Pair<Node, Int>>) {

@@ -19,7 +19,7 @@ internal class FactorFinder(
     private val spaces: Spaces,
     private val sweeps: Sweeps,
 ) {
-    private val known = HashMap<Int, Factor?>()
+    private val known = HashMap<Long, Factor?>()
     private val places = places(vectors, spaces) + if (hasDistances()) waysTo(constants(vectors).filter { it.nodes[0].source != null }, spaces) else emptyList()
     private val normals = vectors.filter { it.dependsOnNormal }
     private val constants = constants(vectors)
@@ -54,15 +54,16 @@ internal class FactorFinder(
         return cosine(node, values, present) ?: aside(node, values, present) ?: fade(node, values, present) ?: highlight(node, values, present)
     }
 
-    private fun way(i: Int, way: ToPoint, isUnit: Boolean, sign: Double): Vector3d {
-        val point = samples.points[i]
-        return way.vector.at(point.position, finder.normalOf(point), isUnit).mul(way.sign * sign)
-    }
+    private val wayValues = HashMap<Pair<ToPoint, Boolean>, List<Vector3d>>()
+    private val normalValues = HashMap<Use, List<Vector3d>>()
 
-    private fun normal(i: Int, use: Use): Vector3d {
-        val point = samples.points[i]
-        return use.vector.at(point.position, finder.normalOf(point), use.isUnit).mul(use.sign)
-    }
+    private fun way(i: Int, way: ToPoint, isUnit: Boolean): Vector3d =
+        wayValues.getOrPut(way to isUnit) {
+            samples.points.map { way.vector.at(it.position, finder.normalOf(it), isUnit).mul(way.sign) }
+        }[i]
+
+    private fun normal(i: Int, use: Use): Vector3d =
+        normalValues.getOrPut(use) { samples.points.map { use.vector.at(it.position, finder.normalOf(it), use.isUnit).mul(use.sign) } }[i]
 
     private fun normalUses() = normals.flatMap { n -> listOf(true, false).map { Use(n, it, 1.0) } }
 
@@ -71,9 +72,10 @@ internal class FactorFinder(
             val normal = present.map { normal(it, n) }
             for (place in places) {
                 for (isUnit in listOf(true, false)) {
-                    val d = DoubleArray(present.size) { normal[it].dot(way(present[it], place, isUnit, 1.0)) }
                     for (sign in SIGNS) {
-                        val clamp = Clamp.entries.find { clamp -> present.indices.all { near(values[present[it]], clamped(sign * d[it], clamp)) } } ?: continue
+                        val clamp = Clamp.entries.find { clamp ->
+                            present.all { near(values[it], clamped(sign * normal(it, n).dot(way(it, place, isUnit)), clamp)) }
+                        } ?: continue
                         return Factor.Cosine(n, WayUse(place, isUnit, sign), clamp, node)
                     }
                 }
@@ -105,7 +107,7 @@ internal class FactorFinder(
 
     private fun fade(node: Node, values: DoubleArray, present: List<Int>): Factor? {
         for (place in places) {
-            val lengths = present.map { way(it, place, false, 1.0).length() }
+            val lengths = present.map { way(it, place, false).length() }
             val solver = LeastSquares(lengths.map { doubleArrayOf(1.0, it, it * it) })
             for (isDivided in listOf(true, false)) {
                 val numbers = DoubleArray(present.size) { values[present[it]].let { f -> if (isDivided) 1 / f else f } }
@@ -119,11 +121,12 @@ internal class FactorFinder(
 
     private fun highlight(node: Node, values: DoubleArray, present: List<Int>): Factor? {
         // A cosine to a power is positive where the cosine is; where that is negative it is 0, or nothing.
-        val lit = present.filter { values[it] > 1e-290 && values[it].isFinite() }
+        val some = present.filter { it < FIRST }
+        val lit = some.filter { values[it] > 1e-290 && values[it].isFinite() }
         if (lit.size < FEWEST) return null
         for (angle in angles) {
             val exponent = exponent(lit, values, angle.cosines) ?: continue
-            val isClamped = present.filter { it !in lit }.all { i -> values[i] == 0.0 || angle.cosines[i].let { it > 0 && it.pow(exponent) < 1e-280 } }
+            val isClamped = some.filter { it !in lit }.all { i -> values[i] == 0.0 || angle.cosines[i].let { it > 0 && it.pow(exponent) < 1e-280 } }
             return Factor.Highlight(angle.lobe, angle.normal, angle.light, angle.eye, exponent, exponentNode(node, exponent), isClamped, node)
         }
         return null
@@ -155,15 +158,15 @@ internal class FactorFinder(
     }
 
     private fun angle(variant: Variant, n: Use, l: ToPoint, v: ToPoint): Angle {
-        val cosines = DoubleArray(samples.size) { i ->
+        val cosines = DoubleArray(minOf(samples.size, FIRST)) { i ->
             val normal = normal(i, n)
-            val light = way(i, l, variant.lightUnit, variant.lightSign)
-            val eye = way(i, v, variant.eyeUnit, variant.eyeSign)
+            val light = Vector3d(way(i, l, variant.lightUnit)).mul(variant.lightSign)
+            val eye = Vector3d(way(i, v, variant.eyeUnit)).mul(variant.eyeSign)
             when (variant.lobe) {
                 Lobe.HALF -> light.add(eye).normalize().dot(normal)
                 Lobe.HALF_RAW -> light.add(eye).dot(normal)
                 Lobe.HALF_MEAN -> light.add(eye).mul(0.5).dot(normal)
-                Lobe.REFLECTED -> normal.mul(2 * normal.dot(light), Vector3d()).sub(light).dot(eye)
+                Lobe.REFLECTED -> Vector3d(normal).mul(2 * normal.dot(light)).sub(light).dot(eye)
             }
         }
         return Angle(variant.lobe, n, WayUse(l, variant.lightUnit, variant.lightSign), WayUse(v, variant.eyeUnit, variant.eyeSign), cosines)
@@ -173,7 +176,7 @@ internal class FactorFinder(
 
     /** The number that [node] is a power by. */
     private fun exponentNode(node: Node, exponent: Double): Node? {
-        val seen = HashSet<Int>()
+        val seen = HashSet<Long>()
         val open = ArrayDeque(listOf(node))
         while (open.isNotEmpty()) {
             val next = open.removeFirst()
@@ -196,6 +199,9 @@ internal class FactorFinder(
             vectors.filter { !it.dependsOnNormal && !it.dependsOnPosition && it.constant.length() > 1e-9 }
 
         private const val FEWEST = 6
+
+        /** The first samples lie anywhere; that is enough to tell highlights apart. */
+        private const val FIRST = 40
         private const val EXACT = 1e-8
         private const val NEAR = 1e-4
         private val SIGNS = listOf(1.0, -1.0)

@@ -36,25 +36,24 @@ internal class LightReading(
 internal class LightFinder(private val reading: ProgramReading) {
     private val lit = reading.terms.filter { it.ways.isNotEmpty() }
 
-    /** Colours that are in every lit term are of the object, not of a light. */
-    val common: Set<Int> = lit.map { term -> term.colors.map { it[0].key }.toSet() }.reduceOrNull(Set<Int>::intersect).orEmpty()
-        .takeIf { lit.map { mainWay(it) }.distinctBy(::placeOf).size > 1 }.orEmpty()
+    /** Colours that are in every term, lit or not, are of the object and not of a light. */
+    val common: Set<Long> = reading.terms.filter { it.textures.isNotEmpty() }.map { term -> term.colors.map { it[0].key }.toSet() }
+        .reduceOrNull(Set<Long>::intersect).orEmpty().takeIf { lit.isNotEmpty() && lit.size < reading.terms.size }.orEmpty()
 
     fun find(): List<LightReading> {
         val byColor = lit.groupBy { term -> colorOf(term)?.get(0)?.key }
-        val wayCounts = byColor.mapValues { (_, terms) -> terms.groupBy { placeOf(mainWay(it)) } }
-        return byColor.flatMap { (key, terms) -> split(key, terms, wayCounts) }
+        return byColor.flatMap { (key, terms) -> split(key, terms, (byColor - key).values.flatten()) }
     }
 
-    private fun split(key: Int?, terms: List<Term>, all: Map<Int?, Map<Any, List<Term>>>): List<LightReading> {
-        val own = all.getValue(key)
-        val elsewhere = all.filterKeys { it != key }.values.flatMap { it.keys }.toSet()
-        val exclusive = own.keys - elsewhere
-        if (key != null && (own.size == 1 || exclusive.size <= 1)) {
-            val place = exclusive.singleOrNull() ?: own.maxBy { it.value.size }.key
-            return listOf(light(terms, place, 0))
+    /** The lights of [terms], which have one colour: one, unless several places have no other. */
+    private fun split(key: Long?, terms: List<Term>, others: List<Term>): List<LightReading> {
+        val main = terms.groupBy { placeOf(mainWay(it)) }
+        val elsewhere = others.map { placeOf(mainWay(it)) }.toSet()
+        val exclusive = (main.keys - elsewhere).ifEmpty { terms.flatMap { it.ways }.map(::placeOf).toSet() - elsewhere }
+        if (key != null && (main.size == 1 || exclusive.size <= 1)) {
+            return listOf(light(terms, exclusive.singleOrNull() ?: main.maxBy { it.value.size }.key, 0))
         }
-        return own.keys.mapIndexed { i, place -> light(own.getValue(place), place, i) }
+        return main.keys.mapIndexed { i, place -> light(main.getValue(place), place, i) }
     }
 
     /** Light number [number] of those that have one colour. */
@@ -66,8 +65,11 @@ internal class LightFinder(private val reading: ProgramReading) {
         return LightReading(name, color, way, terms, specularSamplers, color != null && number > 0, gate)
     }
 
-    private val specularSamplers = lit.filter { term -> term.factors.any { it is Factor.Highlight } }.flatMap { it.textures }.map { it.sampler }.toSet() -
-        lit.filter { term -> term.factors.none { it is Factor.Highlight || it is Factor.Unknown } }.flatMap { it.textures }.map { it.sampler }.toSet()
+    /** What lit terms read that no plain cosine is multiplied with. */
+    private val specularSamplers: Set<String> =
+        lit.flatMap(::samplers).toSet() - lit.filter { term -> term.factors.none { it is Factor.Highlight || it is Factor.Unknown } && term.factors.any { it is Factor.Cosine } }.flatMap(::samplers).toSet()
+
+    private fun samplers(term: Term) = term.textures.map { it.sampler }
 
     private fun mainWay(term: Term): ToPoint =
         term.factors.firstNotNullOfOrNull { (it as? Factor.Cosine)?.light?.way ?: (it as? Factor.Highlight)?.light?.way } ?: term.ways[0]

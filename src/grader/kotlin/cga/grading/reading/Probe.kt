@@ -65,6 +65,13 @@ internal class Probe(
         return Trace.of(pair, keys, vertexTape, fragmentTape)
     }
 
+    /** The numbers of [at] alone, without how they were made; null where it comes to no colour. */
+    fun rowAt(attributes: Attributes): Row? {
+        if (!runVertex(attributes)) return null
+        fragment.takeVaryings(vertex)
+        return if (fragment.run(fragmentTape) == Outcome.DONE) Row.of(vertexTape, fragmentTape) else null
+    }
+
     /** What happens inside of a triangle, at the weighted mean of its [corners]; null where it comes to no colour. */
     fun inside(corners: List<Attributes>, weights: DoubleArray): Trace? {
         val mixed = HashMap<String, DoubleArray>()

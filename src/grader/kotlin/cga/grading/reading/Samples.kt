@@ -53,8 +53,8 @@ internal class Samples(
     val points: List<SamplePoint>,
     val traces: List<Trace>,
 ) {
-    private val columns = HashMap<Int, DoubleArray>()
-    private val presence = HashMap<Int, BitSet>()
+    private val columns = HashMap<Long, DoubleArray>()
+    private val presence = HashMap<Long, BitSet>()
 
     init {
         for ((i, trace) in traces.withIndex()) {

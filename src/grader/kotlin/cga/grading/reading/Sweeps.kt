@@ -12,7 +12,7 @@ import kotlin.random.Random
 
 /** Runs at all angles to an axis around a place: there a cone shows as what it is, a function of the angle. */
 internal class Sweeps(private val probe: Probe, private val spaces: Spaces, private val pattern: SamplePoint) {
-    private class Sweep(val axis: Vector3d, val cosines: DoubleArray, val samples: Samples)
+    private class Sweep(val cosines: DoubleArray, val rows: List<Row>)
 
     private val made = HashMap<Pair<ToPoint, KnownVector>, Sweep?>()
     private var pairs: List<Pair<ToPoint, KnownVector>>? = null
@@ -20,7 +20,9 @@ internal class Sweeps(private val probe: Probe, private val spaces: Spaces, priv
     /** The cone that [node] is about one of [places] and one of the axes [constants]; null where it is none. */
     fun cone(node: Node, places: List<ToPoint>, constants: List<KnownVector>, samples: Samples): Factor.Cone? {
         val pairs = pairs ?: pairs(places, constants, samples).also { pairs = it }
-        for ((place, axis) in pairs) {
+        if (node.operation == null) return null
+        val reached = reached(node)
+        for ((place, axis) in pairs.filter { (_, axis) -> axis.nodes.any { it.key in reached } }) {
             val sweep = made.getOrPut(place to axis) { sweep(place, axis) } ?: continue
             of(node, place, axis, sweep)?.let { found -> listOf(found, found.long()).find { fits(it, node, samples) } }?.let { return it }
         }
@@ -44,6 +46,17 @@ internal class Sweeps(private val probe: Probe, private val spaces: Spaces, priv
         val side = (if (abs(axis.x) < 0.9) Vector3d(1.0, 0.0, 0.0) else Vector3d(0.0, 1.0, 0.0)).orthogonalizeUnit(axis)
         val up = Vector3d(axis).cross(side)
         return Vector3d(axis).mul(cos(angle)).add(side.mul(sin(angle) * cos(turn))).add(up.mul(sin(angle) * sin(turn)))
+    }
+
+    /** The keys of all that [node] is made of. */
+    private fun reached(node: Node): Set<Long> {
+        val seen = HashSet<Long>()
+        val open = ArrayDeque(listOf(node))
+        while (open.isNotEmpty()) {
+            val next = open.removeLast()
+            if (seen.add(next.key)) open += next.operands
+        }
+        return seen
     }
 
     /** Ways and axes of which the shader computes the product. */
@@ -84,9 +97,9 @@ internal class Sweeps(private val probe: Probe, private val spaces: Spaces, priv
         // The light's way out, along which θ is 0.
         val direction = Vector3d(axis.constant).normalize()
         val points = ANGLES.map { pattern.movedTo(back.transformPosition(Vector3d(place.place).add(around(direction, it, 0.0).mul(REACH)))) }
-        val samples = Samples.of(probe, points)
-        if (samples.size < ANGLES.size / 2) return null
-        return Sweep(direction, DoubleArray(samples.size) { cosine(samples.points[it].position, place, direction) }, samples)
+        val runs = points.mapNotNull { point -> probe.rowAt(point.attributes)?.let { cosine(point.position, place, direction) to it } }
+        if (runs.size < ANGLES.size / 2) return null
+        return Sweep(DoubleArray(runs.size) { runs[it].first }, runs.map { it.second })
     }
 
     /** Of the angle between [axis] and the way from the light to [point]. */
@@ -96,8 +109,8 @@ internal class Sweeps(private val probe: Probe, private val spaces: Spaces, priv
     }
 
     private fun of(node: Node, place: ToPoint, axis: KnownVector, sweep: Sweep): Factor.Cone? {
-        val values = sweep.samples.values(node)
-        val present = values.indices.filter { sweep.samples.isPresent(node, it) && values[it].isFinite() }
+        val values = DoubleArray(sweep.rows.size) { sweep.rows[it][node.key] }
+        val present = values.indices.filter { values[it].isFinite() }
         if (present.size < 6) return null
         val c = present.map { sweep.cosines[it] }
         val f = present.map { values[it] }
@@ -158,11 +171,11 @@ internal class Sweeps(private val probe: Probe, private val spaces: Spaces, priv
     private companion object {
         const val REACH = 2.0
 
-        /** Every degree, and finer near the axis. */
-        val ANGLES = (1..40).map { it * 0.1 * PI / 180 } + (5..179).map { it * PI / 180 }
+        /** Finer near the axis, where cones end. */
+        val ANGLES = ((1..10).map { it * 0.4 } + (5..60).map { it.toDouble() } + (63..179 step 4).map { it.toDouble() }).map { it * PI / 180 }
 
         /** From the axis to a right angle, close to it at first. */
-        val SPREAD = listOf(0.2, 0.5, 1.0, 2.0, 3.0, 4.0, 6.0, 8.0, 10.0, 12.0, 14.0, 16.0, 18.0, 20.0, 23.0, 26.0, 30.0, 35.0, 40.0, 50.0, 65.0, 80.0).map { it * PI / 180 }
+        val SPREAD = listOf(0.3, 1.0, 2.0, 4.0, 8.0, 12.0, 16.0, 20.0, 25.0, 32.0, 45.0, 70.0).map { it * PI / 180 }
 
         /** What is limited: below, above. The right one first. */
         val LIMITS = listOf(true to true, true to false, false to true, false to false)

@@ -7,7 +7,7 @@ import java.util.BitSet
 /** Finds the terms that the picture is the sum of. */
 internal class TermFinder(private val samples: Samples, private val factors: FactorFinder) {
     /** Keys of what more than one channel is made of. */
-    private val shared = HashSet<Int>()
+    private val shared = HashSet<Long>()
 
     /** The terms of [sums], which are those of the three channels of each run. */
     fun of(sums: List<List<List<Node>>>): List<Term> {
@@ -24,7 +24,16 @@ internal class TermFinder(private val samples: Samples, private val factors: Fac
             }
         }
         val all = found[0].values.map { red -> term(listOf(red) + found.drop(1).mapNotNull { partner(red, it.values) }, runs.getValue(red.key)) }
-        return all.groupBy(::signature).values.map(::merged)
+        return withoutFog(all.groupBy(::signature).values.map(::merged))
+    }
+
+    /** [terms] without the factors that all of them have: fog lies over everything. */
+    private fun withoutFog(terms: List<Term>): List<Term> {
+        val textured = terms.filter { it.textures.isNotEmpty() }
+        if (textured.size < 2) return terms
+        fun veils(term: Term) = term.factors.filter { it is Factor.Unknown || it is Factor.Fade }.map { it.node.key }.toSet()
+        val fog = textured.map(::veils).reduce(Set<Long>::intersect)
+        return if (fog.isEmpty()) terms else terms.map { term -> Term(term.textures, term.colors, term.factors.filter { it.node.key !in fog }, term.sign, term.runs) }
     }
 
     /** What a term is but for constant factors. */
@@ -60,13 +69,13 @@ internal class TermFinder(private val samples: Samples, private val factors: Fac
             else -> "unset"
         }
 
-    private fun common(channels: List<List<Node>>): Set<Int> {
+    private fun common(channels: List<List<Node>>): Set<Long> {
         val sets = channels.map(::reachable)
         return sets[0].intersect(sets[1]) + sets[0].intersect(sets[2]) + sets[1].intersect(sets[2])
     }
 
-    private fun reachable(from: List<Node>): Set<Int> {
-        val seen = HashSet<Int>()
+    private fun reachable(from: List<Node>): Set<Long> {
+        val seen = HashSet<Long>()
         val open = ArrayDeque(from)
         while (open.isNotEmpty()) {
             val node = open.removeLast()

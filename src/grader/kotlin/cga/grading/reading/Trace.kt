@@ -17,7 +17,7 @@ internal data class ShaderLine(val stage: Stage, val line: Int)
  * @property source where it comes from then.
  */
 internal class Node(
-    val key: Int,
+    val key: Long,
     val value: Double,
     val operation: Operation?,
     val operands: List<Node>,
@@ -28,16 +28,46 @@ internal class Node(
 
 /** Three numbers that belong together, a vector or the first three of four. */
 internal class NodeVector(
-    val key: Int,
+    val key: Long,
     val nodes: List<Node>,
     val line: ShaderLine,
 )
 
-/** Numbers the quantities of a program, so that those of several runs can be compared. */
+/** Numbers the quantities of a program, so that those of several runs can be compared: operations by where they are, all else by what it is. */
 internal class Keys {
-    private val numbers = HashMap<Any, Int>()
+    private val numbers = HashMap<Any, Long>()
 
-    fun of(what: Any): Int = numbers.getOrPut(what) { numbers.size }
+    /** Below 0. */
+    fun of(what: Any): Long = numbers.getOrPut(what) { -1L - numbers.size }
+
+    companion object {
+        /** Of component [component] of what the operation at [place] made in its round [round]. */
+        fun of(stage: Stage, place: Int, round: Int, component: Int): Long =
+            stage.ordinal.toLong() shl 62 or (place.toLong() shl 32) or (round.toLong() shl 4) or component.toLong()
+    }
+}
+
+/** What was computed in a run, without how: the keys of its numbers and their values. */
+internal class Row(private val keys: LongArray, private val values: DoubleArray) {
+    /** NaN where it was not computed. */
+    operator fun get(key: Long): Double = keys.indexOf(key).let { if (it < 0) Double.NaN else values[it] }
+
+    companion object {
+        fun of(vertex: Tape, fragment: Tape): Row {
+            val keys = LongArray(vertex.size + fragment.size)
+            val values = DoubleArray(keys.size)
+            add(vertex, Stage.VERTEX, 0, keys, values)
+            add(fragment, Stage.FRAGMENT, vertex.size, keys, values)
+            return Row(keys, values)
+        }
+
+        private fun add(tape: Tape, stage: Stage, start: Int, keys: LongArray, values: DoubleArray) {
+            for (entry in 0 until tape.size) {
+                keys[start + entry] = Keys.of(stage, tape.place(entry), tape.round(entry), 0)
+                values[start + entry] = tape.value(entry)
+            }
+        }
+    }
 }
 
 /**
@@ -110,7 +140,7 @@ private class Stretch(
 
     private fun node(entry: Int, component: Int) =
         Node(
-            keys.of(listOf(stage, tape.place(entry), tape.round(entry), component)),
+            Keys.of(stage, tape.place(entry), tape.round(entry), component),
             tape.value(entry),
             tape.operation(entry),
             List(tape.operandCount(entry)) { at(tape.operand(entry, it)) },

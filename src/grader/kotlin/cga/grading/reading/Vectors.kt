@@ -17,7 +17,7 @@ internal enum class Space { VIEW, WORLD, MODEL }
  * @property isEnd whether [nodes] are where it leads to, and itself it is nowhere: `distance(a, b)` has no vector.
  */
 internal class KnownVector(
-    val key: Int,
+    val key: Long,
     val fromPosition: Matrix3dc,
     val fromNormal: Matrix3dc,
     val constant: Vector3dc,

@@ -20,6 +20,7 @@ import cga.grading.reading.all
 import cga.grading.reading.inView
 import cga.reader.shader.Source
 import org.joml.Matrix3d
+import org.joml.Matrix4d
 import org.joml.Vector3d
 import kotlin.math.max
 import kotlin.math.sqrt
@@ -93,18 +94,33 @@ internal class LightAxes(
         add(if (other != null) Mistake.LATER_LIGHTS_FIRST_COSINE else Mistake.UNKNOWN, line, check = Check.MORE_LIGHTS_SHADING, text = "another-way")
     }
 
+    /** Whether [way] leads from the surface in view space to where the light is in the world. */
+    private fun isAcross(way: ToPoint): Boolean {
+        val world = reading.spaces.view?.invert(Matrix4d())?.transformPosition(light.way.inView(reading.spaces)) ?: return false
+        return way.space == Space.VIEW && !isOwn(way) && world.distance(way.place) < EXACT
+    }
+
     private fun isOwn(way: ToPoint) = isSame(way, light.way)
 
     private fun isSame(a: ToPoint, b: ToPoint) = a.inView(reading.spaces).distance(b.inView(reading.spaces)) < 1e-4
 
     private fun normal(vector: KnownVector, space: Space, line: ShaderLine) {
-        val right = reading.spaces.all()[space]?.let { Matrix3d(it).normal() } ?: return
-        val error = reading.samples.points.map { point ->
+        val error = error(vector, space) ?: return
+        // Matrices that are sent are floats.
+        if (error < EXACT) return
+        // Where the normal and the vector to the eye are in one space, it is the vector to the light that is in another.
+        val eyes = highlights.map { it.eye.way.space }.distinct().ifEmpty { listOf(Space.VIEW) }
+        val isLightAlone = space !in eyes && eyes.any { (error(vector, it) ?: 1.0) < EXACT }
+        add(if (isLightAlone) Mistake.TO_LIGHT_WORLD else Mistake.NORMAL_MATRIX, vector.line.takeIf { it.line > 0 } ?: line, error)
+    }
+
+    /** How far [vector] is from the normal in [space], both of length 1. */
+    private fun error(vector: KnownVector, space: Space): Double? {
+        val right = reading.spaces.all()[space]?.let { Matrix3d(it).normal() } ?: return null
+        return reading.samples.points.map { point ->
             val n = reading.finder.normalOf(point)
             right.transform(Vector3d(n)).normalize().distance(vector.at(point.position, n, true))
         }.average()
-        // Matrices that are sent are floats.
-        if (error > 1e-4) add(Mistake.NORMAL_MATRIX, vector.line.takeIf { it.line > 0 } ?: line, error)
     }
 
     private fun blends(blends: Blends, line: ShaderLine, isNormalUnit: Boolean) {
@@ -150,7 +166,9 @@ internal class LightAxes(
     }
 
     private fun law(fade: Factor.Fade) {
-        if (!isOwn(fade.way)) {
+        if (isAcross(fade.way)) {
+            add(Mistake.TO_LIGHT_WORLD, fade.line)
+        } else if (!isOwn(fade.way)) {
             val isEye = reading.factors.eyes.any { isSame(it, fade.way) }
             val check = if (light.cone != null) Check.ATTENUATION_SPOT else Check.ATTENUATION_FORM
             add(Mistake.UNKNOWN, fade.line, check = check, text = if (isEye) "fades-from-the-eye" else "fades-with-another-distance")
@@ -188,4 +206,8 @@ internal class LightAxes(
     }
 
     private fun unknowns(term: Term) = term.factors.filterIsInstance<Factor.Unknown>()
+
+    private companion object {
+        const val EXACT = 1e-4
+    }
 }

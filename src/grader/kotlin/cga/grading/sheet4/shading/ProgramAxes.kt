@@ -18,7 +18,7 @@ internal class ProgramAxes(private val reading: ProgramReading, private val ligh
 
     /** All that is wrong with the shading, of the lights and of the whole. */
     fun deviations(): List<Deviation> =
-        lights.flatMap { LightAxes(reading, it, lights, interpolation).deviations() } + emission() + terms() + view() + gamma()
+        lights.flatMap { LightAxes(reading, it, lights, interpolation).deviations() } + emission() + terms() + textures() + view() + gamma()
 
     private fun one(mistake: Mistake, check: Check = mistake.check, text: String = "", error: Double = 1.0) =
         listOf(Deviation(mistake, "", error, emission.line, check, text))
@@ -43,6 +43,19 @@ internal class ProgramAxes(private val reading: ProgramReading, private val ligh
             else -> lights.filter { it.specular.isEmpty() && it.diffuse.isNotEmpty() }.map { Deviation(Mistake.SPECULAR_MISSING, it.name, 1.0, null) }
         }
 
+    /** Each of the terms has a texture of its own, read as it is or decoded once. */
+    private fun textures(): List<Deviation> {
+        val own = diffuse.flatMap { it.textures }.map { it.sampler }.toSet()
+        val isShared = specular.isNotEmpty() && specular.all { term -> term.textures.isNotEmpty() && term.textures.all { it.sampler in own } }
+        return when {
+            lights.isEmpty() || diffuse.isEmpty() || specular.isEmpty() -> emptyList()
+            isShared -> one(Mistake.UNKNOWN, Check.MATERIAL, "one-texture-for-both-terms")
+            specular.all { it.textures.isEmpty() } -> one(Mistake.UNKNOWN, Check.MATERIAL, "highlight-without-a-texture")
+            reading.terms.flatMap { it.textures }.any { it.power > DECODED_TWICE } -> one(Mistake.UNKNOWN, Check.MATERIAL, "decoded-twice")
+            else -> emptyList()
+        }
+    }
+
     private fun view(): List<Deviation> {
         val scale = reading.spaces.view?.let { Math.cbrt(abs(it.determinant3x3())) } ?: return emptyList()
         return if (abs(scale - 1) < 1e-3) emptyList() else one(Mistake.VIEW_SCALED, error = abs(scale - 1))
@@ -52,5 +65,10 @@ internal class ProgramAxes(private val reading: ProgramReading, private val ligh
         val powers = reading.terms.flatMap { it.textures }.map { it.power }
         if (reading.encoding.isPartial) return one(Mistake.UNKNOWN, Check.EMISSION, "added-after-the-encoding")
         return if (reading.encoding.power > 1 + 1e-6 || powers.any { it < 0.8 }) one(Mistake.GAMMA_DIRECTION) else emptyList()
+    }
+
+    private companion object {
+        /** Halfway from one decoding to two. */
+        const val DECODED_TWICE = 3.3
     }
 }

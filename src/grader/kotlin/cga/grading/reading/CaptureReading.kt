@@ -30,7 +30,16 @@ internal class CaptureReading(private val capture: Capture) {
     private val failures = LinkedHashMap<Variant, String>()
 
     /** By variant, those that could be read. */
-    val programs: Map<Variant, ProgramReading> = capture.draws.map(Variant::of).distinct().take(MOST).mapNotNull { variant -> read(variant)?.let { variant to it } }.toMap()
+    val programs: Map<Variant, ProgramReading> = capture.draws
+        .map(Variant::of)
+        .distinct()
+        .take(MOST)
+        .mapNotNull { variant ->
+            read(variant)?.let {
+                variant to
+                    it
+            }
+        }.toMap()
     val lights: Map<Variant, List<LightReading>> = programs.mapValues { (_, program) -> LightFinder(program).find() }
     private val readers = programs.mapValues { (variant, program) -> DrawReader(program, lights.getValue(variant)) }
     private val meshes = HashMap<List<Any?>, FloatArray>()
@@ -40,7 +49,20 @@ internal class CaptureReading(private val capture: Capture) {
 
     private fun read(variant: Variant): ProgramReading? =
         try {
-            ProgramReading.of(capture, variant.program, capture.frames.map { frame -> frame.draws.filter { Variant.of(it) == variant } }).also { if (it == null) failures[variant] = "no picture comes of its vertices" }
+            ProgramReading
+                .of(
+                    capture,
+                    variant.program,
+                    capture.frames.map { frame ->
+                        frame.draws.filter { Variant.of(it) == variant }
+                    },
+                ).also {
+                    if (it ==
+                        null
+                    ) {
+                        failures[variant] = "no picture comes of its vertices"
+                    }
+                }
         } catch (e: Unreadable) {
             failures[variant] = checkNotNull(e.message)
             null
@@ -61,7 +83,10 @@ internal class CaptureReading(private val capture: Capture) {
         val lights = seen.associateWith { lights(it, view) }
         val objects = seen.groupBy { listOf(rounded(model(it, view)), it.tint) }.values.map { same ->
             ObservedObject(
-                model(same[0], view), same[0].tint, lights.getValue(same.last()), joined(same.map { it.vertices }),
+                model(same[0], view),
+                same[0].tint,
+                lights.getValue(same.last()),
+                joined(same.map { it.vertices }),
                 same.flatMap { it.draw.attributes.map { a -> a.buffer } }.distinct(),
             )
         }
@@ -75,13 +100,22 @@ internal class CaptureReading(private val capture: Capture) {
     }
 
     private fun lights(seen: Seen, view: Matrix4dc): List<ObservedLight> {
-        val spaces = if (seen.spaces.view != null) seen.spaces else Spaces(seen.spaces.projection, seen.spaces.modelView, view, seen.spaces.model)
+        val spaces = if (seen.spaces.view !=
+            null
+        ) {
+            seen.spaces
+        } else {
+            Spaces(seen.spaces.projection, seen.spaces.modelView, view, seen.spaces.model)
+        }
         return readers.getValue(seen.variant).lights(seen.draw, spaces)
     }
 
     private fun tint(seen: Seen): Vector3d? = Emission.of(seen.reading, lights.getValue(seen.variant)).tint?.let { nodes ->
         val values = ProgramReading.values(seen.draw)
-        val numbers = nodes.map { node -> (node.source as? cga.reader.shader.Source.Uniform)?.let { values[it.slot.name]?.getOrNull(it.component) } ?: node.value }
+        val numbers = nodes.map { node ->
+            (node.source as? cga.reader.shader.Source.Uniform)?.let { values[it.slot.name]?.getOrNull(it.component) }
+                ?: node.value
+        }
         Vector3d(numbers.toDoubleArray())
     }
 

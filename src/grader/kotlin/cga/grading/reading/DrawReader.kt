@@ -7,8 +7,8 @@ import cga.reader.shader.Source
 import org.joml.Matrix4d
 import org.joml.Vector3d
 import org.joml.Vector3dc
-import kotlin.math.acos
 import kotlin.math.abs
+import kotlin.math.acos
 
 /** Reads the numbers of one draw by what its program was found to do with them. */
 internal class DrawReader(private val reading: ProgramReading, private val lights: List<LightReading>) {
@@ -29,7 +29,10 @@ internal class DrawReader(private val reading: ProgramReading, private val light
         val scale = scale(light, samples)
         val color = light.color?.let { nodes -> Vector3d(nodes.map { samples.values(it)[0] }.toDoubleArray()) } ?: Vector3d(1.0)
         return ObservedLight(
-            light.name, toView.transformPosition(place), color.mul(scale), k(light, samples, spaces), light.cone?.let { cone(it, light.sign, samples, spaces, toView) },
+            light.name, toView.transformPosition(place), color.mul(scale), k(light, samples, spaces),
+            light.cone?.let {
+                cone(it, light.sign, samples, spaces, toView)
+            },
             placedBy(light),
             isViewed = false,
             fadedBy(light),
@@ -45,8 +48,17 @@ internal class DrawReader(private val reading: ProgramReading, private val light
     /** Where [way] leads to in this draw, in its space. */
     fun place(way: ToPoint, samples: Samples, spaces: Spaces): Vector3d? {
         val matrix = spaces.all()[way.space] ?: return null
-        if (way.vector.isEnd) return samples.traces[0].vectors.find { it.key == way.vector.key }?.nodes?.let { Vector3d(it[0].value, it[1].value, it[2].value) }
-        val raw = reading.vectors.find { !it.isUnit && it.fromPosition == way.vector.fromPosition && it.constant == way.vector.constant } ?: return null
+        if (way.vector.isEnd) {
+            return samples.traces[0]
+                .vectors
+                .find {
+                    it.key == way.vector.key
+                }?.nodes
+                ?.let { Vector3d(it[0].value, it[1].value, it[2].value) }
+        }
+        val raw =
+            reading.vectors.find { !it.isUnit && it.fromPosition == way.vector.fromPosition && it.constant == way.vector.constant }
+                ?: return null
         val vector = samples.traces[0].vectors.find { it.key == raw.key } ?: return null
         val value = Vector3d(vector.nodes[0].value, vector.nodes[1].value, vector.nodes[2].value).mul(way.sign)
         return value.add(matrix.transformPosition(Vector3d(samples.points[0].position)))
@@ -74,12 +86,14 @@ internal class DrawReader(private val reading: ProgramReading, private val light
     private fun cone(cone: Factor.Cone, sign: Double, samples: Samples, spaces: Spaces, toView: Matrix4d): ObservedCone {
         val nodes = samples.traces[0].vectors.find { it.key == cone.axis.key }?.nodes
         val axis = nodes?.let { Vector3d(it[0].value, it[1].value, it[2].value) } ?: Vector3d()
-        val now = coneNow(cone, samples, spaces, axis) ?: return ObservedCone(toView.transformDirection(axis.normalize()), Double.NaN, Double.NaN)
+        val now =
+            coneNow(cone, samples, spaces, axis) ?: return ObservedCone(toView.transformDirection(axis.normalize()), Double.NaN, Double.NaN)
         // It shines to where it becomes brighter; all around but for a cone, it is that cone inside out.
         val ahead = if (now.slope < 0) -1.0 else 1.0
         val (full, dark) = edges(now).let { (full, dark) -> ahead * full to ahead * dark }
         val isInverted = full < 0 && dark < 0
         val direction = toView.transformDirection(Vector3d(axis)).normalize(if (isInverted) -ahead * sign else ahead * sign)
+
         fun angle(cosine: Double) = acos((if (isInverted) -cosine else cosine).coerceIn(-1.0, 1.0))
         return ObservedCone(direction, angle(full), angle(dark))
     }
@@ -103,7 +117,7 @@ internal class DrawReader(private val reading: ProgramReading, private val light
         return cones.getOrPut(listOf(cone.node.key, axis.length(), scalars)) {
             val place = place(cone.way, samples, spaces) ?: return@getOrPut null
             val way = ToPoint(cone.way.vector, cone.way.space, place, cone.way.sign)
-            val now = KnownVector(cone.axis.key, cone.axis.fromPosition, cone.axis.fromNormal, axis, cone.axis.isUnit, cone.axis.line, cone.axis.nodes)
+            val now = with(cone.axis) { KnownVector(key, fromPosition, fromNormal, axis, isUnit, line, nodes) }
             Sweeps(reading.probe, spaces, samples.points[0]).shape(cone.node, way, now)
         }
     }
@@ -111,7 +125,14 @@ internal class DrawReader(private val reading: ProgramReading, private val light
     private fun valueOf(node: Node, source: Source.Uniform): Double? = leaves(node).find { it.source == source }?.value
 
     private fun placedBy(light: LightReading): String? =
-        light.way.vector.nodes.flatMap { sources(it) }.map { it.slot }.filter { it.columns == 1 && it.size in 3..4 }.map { it.name }.distinct().singleOrNull()
+        light.way.vector.nodes
+            .flatMap {
+                sources(it)
+            }.map { it.slot }
+            .filter { it.columns == 1 && it.size in 3..4 }
+            .map { it.name }
+            .distinct()
+            .singleOrNull()
 
     private fun fadedBy(light: LightReading): Set<String> {
         val fade = light.fade ?: return emptySet()

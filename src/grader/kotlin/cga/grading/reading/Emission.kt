@@ -22,15 +22,28 @@ internal class Emission(
             val common = LightFinder(reading).common
             val dark = reading.terms.filter { it.ways.isEmpty() && it.factors.none { f -> f is Factor.Unknown } }
             val lit = lights.flatMap { it.terms }
-            val lightSamplers = (lights.flatMap { it.diffuse } + lights.flatMap { it.specular }).groupBy { term -> term.textures.map { it.sampler }.toSet() }
-                .entries.filter { it.key.size == 1 }.sortedByDescending { it.value.size }.take(2).flatMap { it.key }.toSet()
+            val lightSamplers = (lights.flatMap { it.diffuse } + lights.flatMap { it.specular })
+                .groupBy { term ->
+                    term.textures.map { it.sampler }.toSet()
+                }.entries
+                .filter { it.key.size == 1 }
+                .sortedByDescending { it.value.size }
+                .take(2)
+                .flatMap { it.key }
+                .toSet()
             val glow = dark.filter { term -> term.textures.any { it.sampler !in lightSamplers } }
-            val ambient = dark.find { term -> term.textures.isNotEmpty() && term.textures.all { it.sampler in lightSamplers } }?.colors?.firstOrNull()
+            val ambient = dark
+                .find { term ->
+                    term.textures.isNotEmpty() && term.textures.all { it.sampler in lightSamplers }
+                }?.colors
+                ?.firstOrNull()
             val flat = dark.filter { it.textures.isEmpty() && it.colors.isNotEmpty() }
             val term = glow.firstOrNull()
             val sampler = term?.textures?.find { it.sampler !in lightSamplers }?.sampler
             val tint = term?.colors?.firstOrNull() ?: flat.firstOrNull()?.colors?.firstOrNull()
-            val isMultiplied = lit.any { it.textures.map { t -> t.sampler }.distinct().size > 1 } || lit.any { it.textures.any { t -> t.sampler !in lightSamplers } }
+            val isMultiplied =
+                lit.any { it.textures.map { t -> t.sampler }.distinct().size > 1 } ||
+                    lit.any { it.textures.any { t -> t.sampler !in lightSamplers } }
             val isInAll = lit.isNotEmpty() && lit.all { it.textures.map { t -> t.sampler }.distinct().size > 1 }
             val form = when {
                 isInAll -> EmissionForm.MULTIPLIED

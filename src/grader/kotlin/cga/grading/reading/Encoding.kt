@@ -24,7 +24,18 @@ internal class Encoding(val power: Double, val isPartial: Boolean, val line: Sha
                     while (true) {
                         val step = step(node, samples) ?: break
                         step.beside?.let { parts += it }
-                        encoding = Encoding(encoding.power * step.power, encoding.isPartial || step.beside != null, if (step.power == 1.0) encoding.line else node.line)
+                        encoding =
+                            Encoding(
+                                encoding.power * step.power,
+                                encoding.isPartial || step.beside != null,
+                                if (step.power ==
+                                    1.0
+                                ) {
+                                    encoding.line
+                                } else {
+                                    node.line
+                                },
+                            )
                         node = step.inner
                     }
                     if (i == 0 && channel == 0) first = encoding
@@ -36,7 +47,10 @@ internal class Encoding(val power: Double, val isPartial: Boolean, val line: Sha
 
         private fun step(node: Node, samples: Samples): Step? =
             when (node.operation) {
-                Operation.POW -> Step(node.operands[0], node.operands[1].value).takeIf { isSum(node.operands[0]) && isSame(node.operands[1], samples) }
+                Operation.POW -> Step(node.operands[0], node.operands[1].value).takeIf {
+                    isSum(node.operands[0]) &&
+                        isSame(node.operands[1], samples)
+                }
                 Operation.SQRT -> Step(node.operands[0], 0.5).takeIf { isSum(node.operands[0]) }
                 Operation.MIN, Operation.MAX -> taken(node)?.let { Step(it, 1.0) }
                 Operation.ADD -> beside(node.operands[0], node.operands[1], samples) ?: beside(node.operands[1], node.operands[0], samples)
@@ -45,7 +59,13 @@ internal class Encoding(val power: Double, val isPartial: Boolean, val line: Sha
 
         /** [encoded] with [other] added to it. */
         private fun beside(encoded: Node, other: Node, samples: Samples): Step? =
-            if (encoded.operation == Operation.POW || encoded.operation == Operation.SQRT) step(encoded, samples)?.let { Step(encoded, 1.0, other) } else null
+            if (encoded.operation == Operation.POW ||
+                encoded.operation == Operation.SQRT
+            ) {
+                step(encoded, samples)?.let { Step(encoded, 1.0, other) }
+            } else {
+                null
+            }
 
         private fun taken(node: Node): Node? = node.operands.find { it.value == node.value && it.operation != null }
 

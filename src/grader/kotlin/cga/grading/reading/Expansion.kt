@@ -29,7 +29,16 @@ internal class Expansion(private val isShared: (Node) -> Boolean, private val is
             Operation.MUL -> product(node)
             Operation.DIV -> of(node.operands[0]).map { Monomial(it.sign, it.parts + (node.operands[1] to -1)) }
             Operation.SELECT -> of(node.operands[if (node.operands[0].value != 0.0) 1 else 2])
-            Operation.MIN, Operation.MAX -> if (isShared(node)) one(node) else of(node.operands.first { it.value == node.value || it === node.operands[1] })
+            Operation.MIN, Operation.MAX -> if (isShared(node)) {
+                one(node)
+            } else {
+                of(
+                    node.operands.first {
+                        it.value == node.value ||
+                            it === node.operands[1]
+                    },
+                )
+            }
             else -> one(node)
         }
     }

@@ -90,7 +90,8 @@ internal sealed interface Factor {
         val isLong: Boolean = false,
     ) : Factor {
         /** The same about a vector to the light that has its full length. */
-        fun long(): Cone = Cone(way, axis, isAxisUnit, falloff, slope, offset, isLimitedBelow, isLimitedAbove, node, comparedAs, isLong = true)
+        fun long(): Cone =
+            Cone(way, axis, isAxisUnit, falloff, slope, offset, isLimitedBelow, isLimitedAbove, node, comparedAs, isLong = true)
     }
 
     /** The same number everywhere. */

@@ -20,7 +20,9 @@ internal class FactorFinder(
     private val sweeps: Sweeps,
 ) {
     private val known = HashMap<Long, Factor?>()
-    private val places = places(vectors, spaces) + if (hasDistances()) waysTo(constants(vectors).filter { it.nodes[0].source != null }, spaces) else emptyList()
+    private val places =
+        places(vectors, spaces) +
+            if (hasDistances()) waysTo(constants(vectors).filter { it.nodes[0].source != null }, spaces) else emptyList()
     private val normals = vectors.filter { it.dependsOnNormal }
     private val constants = constants(vectors)
 
@@ -29,7 +31,8 @@ internal class FactorFinder(
     /** Those from which the camera is seen. */
     val eyes: List<ToPoint> = places.filter(::isEye)
 
-    private fun isEye(way: ToPoint): Boolean = Vector3d(way.place).distance(eye(way.space) ?: return false) < NEAR * (1 + way.place.length())
+    private fun isEye(way: ToPoint): Boolean =
+        Vector3d(way.place).distance(eye(way.space) ?: return false) < NEAR * (1 + way.place.length())
 
     private fun eye(space: Space): Vector3d? =
         when (space) {
@@ -51,7 +54,8 @@ internal class FactorFinder(
         // A narrow cone may be 0 wherever it was looked at.
         sweeps.cone(node, places, constants, samples)?.let { return it }
         if (isSame) return Factor.Scale(node)
-        return cosine(node, values, present) ?: aside(node, values, present) ?: fade(node, values, present) ?: highlight(node, values, present)
+        return cosine(node, values, present) ?: aside(node, values, present) ?: fade(node, values, present)
+            ?: highlight(node, values, present)
     }
 
     private val wayValues = HashMap<Pair<ToPoint, Boolean>, List<Vector3d>>()
@@ -126,8 +130,18 @@ internal class FactorFinder(
         if (lit.size < FEWEST) return null
         for (angle in angles) {
             val exponent = exponent(lit, values, angle.cosines) ?: continue
-            val isClamped = some.filter { it !in lit }.all { i -> values[i] == 0.0 || angle.cosines[i].let { it > 0 && it.pow(exponent) < 1e-280 } }
-            return Factor.Highlight(angle.lobe, angle.normal, angle.light, angle.eye, exponent, exponentNode(node, exponent), isClamped, node)
+            val isClamped = some.filter { it !in lit }.all { i ->
+                values[i] == 0.0 ||
+                    angle.cosines[i].let { it > 0 && it.pow(exponent) < 1e-280 }
+            }
+            return Factor.Highlight(
+                angle.lobe, angle.normal, angle.light, angle.eye, exponent,
+                exponentNode(
+                    node,
+                    exponent,
+                ),
+                isClamped, node,
+            )
         }
         return null
     }

@@ -10,7 +10,10 @@ import kotlin.math.cos
 /** Finds comparisons of the angle to an axis by which a branch lets a light shine or not: a cone with a hard edge. */
 internal class Gates(private val samples: Samples, private val spaces: Spaces, private val axes: List<KnownVector>) {
     private val comparisons: List<Node> =
-        samples.traces.flatMap { trace -> trace.nodes.filter { it.operation == Operation.LESS || it.operation == Operation.LESS_EQUAL } }.distinctBy { it.key }
+        samples.traces
+            .flatMap { trace ->
+                trace.nodes.filter { it.operation == Operation.LESS || it.operation == Operation.LESS_EQUAL }
+            }.distinctBy { it.key }
 
     /** The cone that a light at the end of [way] shines in by a branch, by when its [terms] are there; null where there is none. */
     fun of(way: ToPoint, terms: List<Term>): Factor.Cone? {
@@ -23,7 +26,8 @@ internal class Gates(private val samples: Samples, private val spaces: Spaces, p
                     if (!isSame(edge)) continue
                     val cosineOfEdge = measure.cosine(edge.value, axis.constant.length())
                     val isLitAbove = decides(terms, cosines, cosineOfEdge) ?: continue
-                    return Factor.Cone(way, axis, false, Falloff.HARD, if (isLitAbove) 1.0 else -1.0, cosineOfEdge, true, true, edge, measure)
+                    return Factor
+                        .Cone(way, axis, false, Falloff.HARD, if (isLitAbove) 1.0 else -1.0, cosineOfEdge, true, true, edge, measure)
                 }
             }
         }
@@ -31,7 +35,14 @@ internal class Gates(private val samples: Samples, private val spaces: Spaces, p
     }
 
     private fun cosine(i: Int, way: ToPoint, axis: KnownVector): Double =
-        spaces.all().getValue(way.space).transformPosition(Vector3d(samples.points[i].position)).sub(way.place).normalize().dot(Vector3d(axis.constant).normalize())
+        spaces
+            .all()
+            .getValue(
+                way.space,
+            ).transformPosition(Vector3d(samples.points[i].position))
+            .sub(way.place)
+            .normalize()
+            .dot(Vector3d(axis.constant).normalize())
 
     private fun isMeasure(measure: Measure, node: Node, cosines: DoubleArray, axis: KnownVector): Boolean {
         val values = samples.values(node)
@@ -44,7 +55,10 @@ internal class Gates(private val samples: Samples, private val spaces: Spaces, p
     /** Whether [terms] are there where the cosine is above [edge], or below; null where that does not decide. */
     private fun decides(terms: List<Term>, cosines: DoubleArray, edge: Double): Boolean? {
         val lit = cosines.indices.filter { i -> terms.any { it.runs[i] } }
-        return listOf(true, false).find { above -> lit.isNotEmpty() && lit.all { abs(cosines[it] - edge) < EXACT || (cosines[it] > edge) == above } }
+        return listOf(true, false).find { above ->
+            lit.isNotEmpty() &&
+                lit.all { abs(cosines[it] - edge) < EXACT || (cosines[it] > edge) == above }
+        }
     }
 
     private companion object {

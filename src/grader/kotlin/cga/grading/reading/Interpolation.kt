@@ -44,28 +44,64 @@ internal class Interpolation(private val reading: ProgramReading) {
 
     /** The same corners with normals that do not cancel out. */
     private fun near(corners: List<SamplePoint>): List<SamplePoint> =
-        corners.map { corner -> corner.turned { location, direction -> Vector3d(direction).mul(0.5).add(corners[0].directions.getValue(location)).normalize() } }
+        corners.map { corner ->
+            corner.turned {
+                location,
+                direction,
+                ->
+                Vector3d(direction).mul(0.5).add(corners[0].directions.getValue(location)).normalize()
+            }
+        }
 
     fun of(factor: Factor.Cosine): Blends? =
-        if (factor.node.line.stage == Stage.VERTEX) Blends(Blend.NEVER, Blend.NEVER, Blend.LATE, isPerVertex = true) else find(factor.node, 1.0, factor.normal, factor.light, null) { n, l, _ ->
-            clamped(factor.light.sign * n.dot(l), factor.clamp)
+        if (factor.node.line.stage ==
+            Stage.VERTEX
+        ) {
+            Blends(Blend.NEVER, Blend.NEVER, Blend.LATE, isPerVertex = true)
+        } else {
+            find(factor.node, 1.0, factor.normal, factor.light, null) { n, l, _ ->
+                clamped(factor.light.sign * n.dot(l), factor.clamp)
+            }
         }
 
     fun of(factor: Factor.Highlight): Blends? =
-        if (factor.node.line.stage == Stage.VERTEX) Blends(Blend.NEVER, Blend.NEVER, Blend.NEVER, isPerVertex = true) else find(factor.node, factor.exponent, factor.normal, factor.light, factor.eye) { n, l, v ->
-            val light = l.mul(factor.light.sign)
-            val eye = v.mul(factor.eye.sign)
-            val cosine = when (factor.lobe) {
-                Lobe.HALF -> light.add(eye).normalize().dot(n)
-                Lobe.HALF_RAW -> light.add(eye).dot(n)
-                Lobe.HALF_MEAN -> light.add(eye).mul(0.5).dot(n)
-                Lobe.REFLECTED -> Vector3d(n).mul(2 * n.dot(light)).sub(light).dot(eye)
+        if (factor.node.line.stage ==
+            Stage.VERTEX
+        ) {
+            Blends(Blend.NEVER, Blend.NEVER, Blend.NEVER, isPerVertex = true)
+        } else {
+            find(factor.node, factor.exponent, factor.normal, factor.light, factor.eye) { n, l, v ->
+                val light = l.mul(factor.light.sign)
+                val eye = v.mul(factor.eye.sign)
+                val cosine = when (factor.lobe) {
+                    Lobe.HALF -> light.add(eye).normalize().dot(n)
+                    Lobe.HALF_RAW -> light.add(eye).dot(n)
+                    Lobe.HALF_MEAN -> light.add(eye).mul(0.5).dot(n)
+                    Lobe.REFLECTED -> Vector3d(n).mul(2 * n.dot(light)).sub(light).dot(eye)
+                }
+                maxOf(cosine, 0.0)
             }
-            maxOf(cosine, 0.0)
         }
 
-    private fun find(node: Node, exponent: Double, normal: Use, light: WayUse, eye: WayUse?, formula: (Vector3d, Vector3d, Vector3d) -> Double): Blends? {
-        val values = triangles.map { triangle -> triangle.trace.nodes.find { it.key == node.key }?.value?.let { if (exponent == 1.0) it else it.pow(1 / exponent) } }
+    private fun find(
+        node: Node,
+        exponent: Double,
+        normal: Use,
+        light: WayUse,
+        eye: WayUse?,
+        formula: (Vector3d, Vector3d, Vector3d) -> Double,
+    ): Blends? {
+        val values = triangles.map { triangle ->
+            triangle.trace.nodes.find { it.key == node.key }?.value?.let {
+                if (exponent ==
+                    1.0
+                ) {
+                    it
+                } else {
+                    it.pow(1 / exponent)
+                }
+            }
+        }
         val present = values.indices.filter { values[it]?.isFinite() == true }
         if (present.size < FEWEST) return null
         for (n in blends(normal.isUnit)) {
@@ -90,7 +126,16 @@ internal class Interpolation(private val reading: ProgramReading) {
     private fun way(point: SamplePoint, use: WayUse): Vector3d =
         use.way.vector.at(point.position, reading.finder.normalOf(point), false).mul(use.way.sign)
 
-    private fun blends(isUnit: Boolean) = if (isUnit) listOf(Blend.LATE, Blend.EARLY_ONLY, Blend.EARLY, Blend.NEVER) else listOf(Blend.NEVER, Blend.LATE)
+    private fun blends(isUnit: Boolean) = if (isUnit) {
+        listOf(
+            Blend.LATE,
+            Blend.EARLY_ONLY,
+            Blend.EARLY,
+            Blend.NEVER,
+        )
+    } else {
+        listOf(Blend.NEVER, Blend.LATE)
+    }
 
     private fun blended(triangle: Triangle, blend: Blend, vector: (SamplePoint) -> Vector3d): Vector3d {
         val sum = Vector3d()

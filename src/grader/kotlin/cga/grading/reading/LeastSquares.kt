@@ -17,7 +17,17 @@ internal class LeastSquares(private val rows: List<DoubleArray>) {
 
     /** The numbers x with the least |rows · x − values|²; null where they are not determined. */
     fun best(values: DoubleArray): DoubleArray? {
-        val matrix = Array(unknowns) { i -> DoubleArray(unknowns + 1) { j -> if (j < unknowns) rows.sumOf { it[i] * it[j] } else rows.indices.sumOf { rows[it][i] * values[it] } } }
+        val matrix = Array(unknowns) { i ->
+            DoubleArray(unknowns + 1) { j ->
+                if (j <
+                    unknowns
+                ) {
+                    rows.sumOf { it[i] * it[j] }
+                } else {
+                    rows.indices.sumOf { rows[it][i] * values[it] }
+                }
+            }
+        }
         for (column in 0 until unknowns) {
             val pivot = (column until unknowns).maxBy { abs(matrix[it][column]) }
             if (!(abs(matrix[pivot][column]) > 1e-13)) return null

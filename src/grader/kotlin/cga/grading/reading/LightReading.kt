@@ -21,14 +21,20 @@ internal class LightReading(
     val gate: Factor.Cone?,
 ) {
     private val isSpecular = terms.associateWith { term ->
-        term.factors.any { it is Factor.Highlight } || (term.factors.any { it is Factor.Unknown } && term.textures.any { it.sampler in specularSamplers })
+        term.factors.any { it is Factor.Highlight } ||
+            (term.factors.any { it is Factor.Unknown } && term.textures.any { it.sampler in specularSamplers })
     }
     val specular: List<Term> = terms.filter(isSpecular::getValue)
     val diffuse: List<Term> = (terms - specular.toSet()).filter { term -> term.factors.any { it is Factor.Cosine } }
     val cone: Factor.Cone? = terms.firstNotNullOfOrNull { term -> term.factors.firstNotNullOfOrNull { it as? Factor.Cone } } ?: gate
 
     /** −1 where the vector to the light leads away from it. */
-    val sign: Double get() = diffuse.firstNotNullOfOrNull { term -> term.factors.firstNotNullOfOrNull { it as? Factor.Cosine } }?.light?.sign ?: 1.0
+    val sign: Double get() = diffuse
+        .firstNotNullOfOrNull { term ->
+            term.factors.firstNotNullOfOrNull { it as? Factor.Cosine }
+        }?.light
+        ?.sign
+        ?: 1.0
     val fade: Factor.Fade? = terms.firstNotNullOfOrNull { term -> term.factors.firstNotNullOfOrNull { it as? Factor.Fade } }
 }
 
@@ -37,8 +43,13 @@ internal class LightFinder(private val reading: ProgramReading) {
     private val lit = reading.terms.filter { it.ways.isNotEmpty() }
 
     /** Colours that are in every term, lit or not, are of the object and not of a light. */
-    val common: Set<Long> = reading.terms.filter { it.textures.isNotEmpty() }.map { term -> term.colors.map { it[0].key }.toSet() }
-        .reduceOrNull(Set<Long>::intersect).orEmpty().takeIf { lit.isNotEmpty() && lit.size < reading.terms.size }.orEmpty()
+    val common: Set<Long> = reading.terms
+        .filter { it.textures.isNotEmpty() }
+        .map { term -> term.colors.map { it[0].key }.toSet() }
+        .reduceOrNull(Set<Long>::intersect)
+        .orEmpty()
+        .takeIf { lit.isNotEmpty() && lit.size < reading.terms.size }
+        .orEmpty()
 
     fun find(): List<LightReading> {
         val byColor = lit.groupBy { term -> colorOf(term)?.get(0)?.key }
@@ -67,7 +78,13 @@ internal class LightFinder(private val reading: ProgramReading) {
 
     /** What lit terms read that no plain cosine is multiplied with. */
     private val specularSamplers: Set<String> =
-        lit.flatMap(::samplers).toSet() - lit.filter { term -> term.factors.none { it is Factor.Highlight || it is Factor.Unknown } && term.factors.any { it is Factor.Cosine } }.flatMap(::samplers).toSet()
+        lit.flatMap(::samplers).toSet() -
+            lit
+                .filter { term ->
+                    term.factors.none { it is Factor.Highlight || it is Factor.Unknown } &&
+                        term.factors.any { it is Factor.Cosine }
+                }.flatMap(::samplers)
+                .toSet()
 
     private fun samplers(term: Term) = term.textures.map { it.sampler }
 
@@ -75,7 +92,9 @@ internal class LightFinder(private val reading: ProgramReading) {
         term.factors.firstNotNullOfOrNull { (it as? Factor.Cosine)?.light?.way ?: (it as? Factor.Highlight)?.light?.way } ?: term.ways[0]
 
     /** The colour that is no texture's and not in everything. */
-    private fun colorOf(term: Term): List<Node>? = term.colors.filter { it[0].key !in common }.minByOrNull { if (it[0].source is Source.Uniform) 0 else 1 }
+    private fun colorOf(
+        term: Term,
+    ): List<Node>? = term.colors.filter { it[0].key !in common }.minByOrNull { if (it[0].source is Source.Uniform) 0 else 1 }
 
     private fun nameOf(color: List<Node>?): String =
         when (val source = color?.get(0)?.source) {

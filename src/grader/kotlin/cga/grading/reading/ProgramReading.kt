@@ -58,7 +58,9 @@ internal class ProgramReading private constructor(
             val spaces = spaceFinder.of(values(draw)) ?: return null
             val uniforms = values(draw) + randomized(draw, spaces, random)
             probe.set(uniforms)
-            val texels = probe.samplers.associateWith { doubleArrayOf(random.nextDouble(0.2, 0.9), random.nextDouble(0.2, 0.9), random.nextDouble(0.2, 0.9)) }
+            val texels = probe.samplers.associateWith {
+                doubleArrayOf(random.nextDouble(0.2, 0.9), random.nextDouble(0.2, 0.9), random.nextDouble(0.2, 0.9))
+            }
             probe.setTextures(texels)
             val points = List(POINTS) { SamplePoint.random(random, probe.attributes, position, REACH) }
             val first = Samples.of(probe, points)
@@ -67,11 +69,15 @@ internal class ProgramReading private constructor(
             val vectorFinder = VectorFinder(first, normal)
             val vectors = vectorFinder.find()
             val sweeps = Sweeps(probe, spaces, first.points[0])
-            val samples = first.with(Samples.of(probe, sweeps.points(FactorFinder.places(vectors, spaces), FactorFinder.constants(vectors), first, random)))
+            val samples = first.with(
+                Samples.of(probe, sweeps.points(FactorFinder.places(vectors, spaces), FactorFinder.constants(vectors), first, random)),
+            )
             val factors = FactorFinder(samples, vectorFinder, vectors, spaces, sweeps)
             val encoded = Encoding.of(samples)
             val terms = TermFinder(samples, factors).of(encoded.sums)
-            return ProgramReading(probe, spaceFinder, spaces, samples, vectorFinder, factors, vectors, terms, encoded.encoding, normal, position, uniforms)
+            return ProgramReading(
+                probe, spaceFinder, spaces, samples, vectorFinder, factors, vectors, terms, encoded.encoding, normal, position, uniforms,
+            )
         }
 
         fun values(draw: CapturedDraw): Map<String, DoubleArray> =
@@ -103,8 +109,16 @@ internal class ProgramReading private constructor(
          */
         private fun randomized(draw: CapturedDraw, spaces: Spaces, random: Random): Map<String, DoubleArray> {
             val eye = spaces.view?.invert(Matrix4d())?.transformPosition(Vector3d())
-            return draw.uniforms.filter { if (it.type == GL_FLOAT_VEC3) eye == null || !isNear(it.numbers, eye) else it.type in FLOATS && isZero(it) }
-                .associate { uniform -> uniform.name to DoubleArray(uniform.numbers.size) { random.nextDouble(0.3, 1.5) } }
+            return draw.uniforms
+                .filter {
+                    if (it.type ==
+                        GL_FLOAT_VEC3
+                    ) {
+                        eye == null || !isNear(it.numbers, eye)
+                    } else {
+                        it.type in FLOATS && isZero(it)
+                    }
+                }.associate { uniform -> uniform.name to DoubleArray(uniform.numbers.size) { random.nextDouble(0.3, 1.5) } }
         }
 
         /** Whether nothing was sent, as it seems. */
@@ -127,4 +141,3 @@ internal class ProgramReading private constructor(
         }
     }
 }
-

@@ -23,7 +23,9 @@ internal class SamplePoint(
     fun movedTo(place: Vector3d): SamplePoint = SamplePoint(place, directions, others, location)
 
     /** The same with other directions. */
-    fun turned(how: (Int, Vector3d) -> Vector3d): SamplePoint = SamplePoint(position, directions.mapValues { (location, it) -> how(location, it) }, others, location)
+    fun turned(
+        how: (Int, Vector3d) -> Vector3d,
+    ): SamplePoint = SamplePoint(position, directions.mapValues { (location, it) -> how(location, it) }, others, location)
 
     companion object {
         /** A point within [reach] of the origin along each axis, and directions all around. */

@@ -44,7 +44,8 @@ internal class SpaceFinder(private val probe: Probe, private val position: Int) 
         chain = Chain(modelView, null, null)
         val moving = rest.filterValues { !isIdentity(it) }
         val sent = moving.keys.filterIsInstance<String>().filter { isView(it, frames) }
-        val pair = (sent + (moving.keys - sent.toSet())).asSequence()
+        val pair = (sent + (moving.keys - sent.toSet()))
+            .asSequence()
             .flatMap { view -> moving.keys.asSequence().map { view to it } }
             .find { (view, model) -> view != model && isNear(Matrix4d(rest.getValue(view)).mul(rest.getValue(model)), product) }
         chain = when {
@@ -58,12 +59,18 @@ internal class SpaceFinder(private val probe: Probe, private val position: Int) 
     private fun isView(name: String, frames: List<List<CapturedDraw>>): Boolean {
         val some = frames.filter { it.isNotEmpty() }.let { all -> all.filterIndexed { i, _ -> i % (1 + all.size / FRAMES) == 0 } }
         if (some.any { draws -> draws.map { matrixOf(it, name) }.distinct().size != 1 }) return false
-        val places = some.flatMap { it }.groupBy { draw -> draw.attributes.map { it.buffer } to draw.count }.values.filter { it.size >= some.size }
+        val places = some.flatMap { it }.groupBy { draw -> draw.attributes.map { it.buffer } to draw.count }.values.filter {
+            it.size >=
+                some.size
+        }
         return places.any { same -> same.map { model(it, name) ?: return false }.zipWithNext().all { (a, b) -> isNear(a, b) } }
     }
 
     private fun matrixOf(draw: CapturedDraw, name: String): List<Float>? =
-        draw.uniforms.find { it.name == name }?.numbers?.toList()?.takeIf { m -> m.size == 16 && m[3] == 0f && m[7] == 0f && m[11] == 0f && m[15] == 1f }
+        draw.uniforms.find { it.name == name }?.numbers?.toList()?.takeIf { m ->
+            m.size == 16 && m[3] == 0f && m[7] == 0f && m[11] == 0f &&
+                m[15] == 1f
+        }
 
     private fun model(draw: CapturedDraw, view: String): Matrix4d? {
         val spaces = of(ProgramReading.values(draw)) ?: return null
@@ -160,8 +167,11 @@ internal class SpaceFinder(private val probe: Probe, private val position: Int) 
 
         /** The origin, the ends of the axes, and one more to see whether the step is affine. */
         val CORNERS = listOf(
-            doubleArrayOf(0.0, 0.0, 0.0, 1.0), doubleArrayOf(1.0, 0.0, 0.0, 1.0), doubleArrayOf(0.0, 1.0, 0.0, 1.0),
-            doubleArrayOf(0.0, 0.0, 1.0, 1.0), doubleArrayOf(0.7, -1.3, 0.4, 1.0),
+            doubleArrayOf(0.0, 0.0, 0.0, 1.0),
+            doubleArrayOf(1.0, 0.0, 0.0, 1.0),
+            doubleArrayOf(0.0, 1.0, 0.0, 1.0),
+            doubleArrayOf(0.0, 0.0, 1.0, 1.0),
+            doubleArrayOf(0.7, -1.3, 0.4, 1.0),
         )
     }
 }

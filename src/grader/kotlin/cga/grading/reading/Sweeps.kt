@@ -96,7 +96,11 @@ internal class Sweeps(private val probe: Probe, private val spaces: Spaces, priv
         val back = matrix.invert(Matrix4d())
         // The light's way out, along which θ is 0.
         val direction = Vector3d(axis.constant).normalize()
-        val points = ANGLES.map { pattern.movedTo(back.transformPosition(Vector3d(place.place).add(around(direction, it, 0.0).mul(REACH)))) }
+        val points = ANGLES.map {
+            pattern.movedTo(
+                back.transformPosition(Vector3d(place.place).add(around(direction, it, 0.0).mul(REACH))),
+            )
+        }
         val runs = points.mapNotNull { point -> probe.rowAt(point.attributes)?.let { cosine(point.position, place, direction) to it } }
         if (runs.size < ANGLES.size / 2) return null
         return Sweep(DoubleArray(runs.size) { runs[it].first }, runs.map { it.second })
@@ -115,18 +119,23 @@ internal class Sweeps(private val probe: Probe, private val spaces: Spaces, priv
         val c = present.map { sweep.cosines[it] }
         val f = present.map { values[it] }
         if (f.max() - f.min() < 1e-6) return null
+
         fun cone(falloff: Falloff, slope: Double, offset: Double, below: Boolean, above: Boolean) =
             Factor.Cone(place, axis, abs(axis.constant.length() - 1) < 1e-6, falloff, slope, offset, below, above, node)
         for (falloff in listOf(Falloff.LINEAR, Falloff.IN_ANGLE, Falloff.SMOOTH)) {
             val x = c.map { if (falloff == Falloff.IN_ANGLE) acos(it.coerceIn(-1.0, 1.0)) else it }
             val line = line(x, f, falloff) ?: continue
             for ((below, above) in LIMITS) {
-                val isAll = x.indices.all { abs(shape(line.first * x[it] + line.second, below, above, falloff) - f[it]) < 1e-7 * (1 + abs(f[it])) }
+                val isAll = x.indices.all {
+                    abs(shape(line.first * x[it] + line.second, below, above, falloff) - f[it]) <
+                        1e-7 * (1 + abs(f[it]))
+                }
                 if (isAll) return cone(falloff, line.first, line.second, below, above)
             }
         }
         if (f.all { it == 0.0 || it == 1.0 }) {
-            val edge = f.zip(c).zipWithNext().find { (a, b) -> a.first != b.first }?.let { (a, b) -> (a.second + b.second) / 2 } ?: return null
+            val edge =
+                f.zip(c).zipWithNext().find { (a, b) -> a.first != b.first }?.let { (a, b) -> (a.second + b.second) / 2 } ?: return null
             return cone(Falloff.HARD, if (f.first() == 1.0) 1.0 else -1.0, edge, below = true, above = true)
         }
         return null
@@ -158,12 +167,24 @@ internal class Sweeps(private val probe: Probe, private val spaces: Spaces, priv
         val direction = Vector3d(cone.axis.constant).normalize()
         return values.indices.filter { samples.isPresent(node, it) && values[it].isFinite() }.all { i ->
             // With a vector of full length it is the distance of the sweep at which the numbers are those of the shape.
-            val length = if (cone.isLong) spaces.all().getValue(cone.way.space).transformPosition(Vector3d(samples.points[i].position)).distance(Vector3d(cone.way.place)) / REACH else 1.0
+            val length = if (cone.isLong) {
+                spaces
+                    .all()
+                    .getValue(
+                        cone.way.space,
+                    ).transformPosition(Vector3d(samples.points[i].position))
+                    .distance(Vector3d(cone.way.place)) /
+                    REACH
+            } else {
+                1.0
+            }
             val cosine = length * cosine(samples.points[i].position, cone.way, direction)
             val x = if (cone.falloff == Falloff.IN_ANGLE) acos(cosine) else cosine
             when (cone.falloff) {
                 Falloff.HARD -> (cone.slope * (cosine - cone.offset) > 0) == (values[i] == 1.0) || abs(cosine - cone.offset) < 0.03
-                else -> abs(shape(cone.slope * x + cone.offset, cone.isLimitedBelow, cone.isLimitedAbove, cone.falloff) - values[i]) < 1e-7 * (1 + abs(values[i]))
+                else ->
+                    abs(shape(cone.slope * x + cone.offset, cone.isLimitedBelow, cone.isLimitedAbove, cone.falloff) - values[i]) <
+                        1e-7 * (1 + abs(values[i]))
             }
         }
     }
@@ -172,7 +193,11 @@ internal class Sweeps(private val probe: Probe, private val spaces: Spaces, priv
         const val REACH = 2.0
 
         /** Finer near the axis, where cones end. */
-        val ANGLES = ((1..10).map { it * 0.4 } + (5..60).map { it.toDouble() } + (63..179 step 4).map { it.toDouble() }).map { it * PI / 180 }
+        val ANGLES = (
+            (1..10).map {
+                it * 0.4
+            } + (5..60).map { it.toDouble() } + (63..179 step 4).map { it.toDouble() }
+        ).map { it * PI / 180 }
 
         /** From the axis to a right angle, close to it at first. */
         val SPREAD = listOf(0.3, 1.0, 2.0, 4.0, 8.0, 12.0, 16.0, 20.0, 25.0, 32.0, 45.0, 70.0).map { it * PI / 180 }

@@ -23,7 +23,9 @@ internal class TermFinder(private val samples: Samples, private val factors: Fac
                 }
             }
         }
-        val all = found[0].values.map { red -> term(listOf(red) + found.drop(1).mapNotNull { partner(red, it.values) }, runs.getValue(red.key)) }
+        val all = found[0].values.map { red ->
+            term(listOf(red) + found.drop(1).mapNotNull { partner(red, it.values) }, runs.getValue(red.key))
+        }
         return withoutFog(all.groupBy(::signature).values.map(::merged))
     }
 
@@ -31,20 +33,33 @@ internal class TermFinder(private val samples: Samples, private val factors: Fac
     private fun withoutFog(terms: List<Term>): List<Term> {
         val textured = terms.filter { it.textures.isNotEmpty() }
         if (textured.size < 2) return terms
+
         fun veils(term: Term) = term.factors.filter { it is Factor.Unknown || it is Factor.Fade }.map { it.node.key }.toSet()
         val fog = textured.map(::veils).reduce(Set<Long>::intersect)
-        return if (fog.isEmpty()) terms else terms.map { term -> Term(term.textures, term.colors, term.factors.filter { it.node.key !in fog }, term.sign, term.runs) }
+        return if (fog.isEmpty()) {
+            terms
+        } else {
+            terms.map { term ->
+                Term(term.textures, term.colors, term.factors.filter { it.node.key !in fog }, term.sign, term.runs)
+            }
+        }
     }
 
     /** What a term is but for constant factors. */
     private fun signature(term: Term): Any =
-        listOf(term.textures, term.colors.map { it[0].key }, term.factors.filter { it !is Factor.Scale }.map { it.line to it.node.key }.toSet())
+        listOf(
+            term.textures,
+            term.colors.map { it[0].key },
+            term.factors.filter { it !is Factor.Scale }.map { it.line to it.node.key }.toSet(),
+        )
 
     /** One term of [same], which differ in constant factors only: where something is mixed, both shares of it. */
     private fun merged(same: List<Term>): Term {
         val first = same[0]
         if (same.size == 1) return first
-        fun scale(term: Term) = term.sign * term.factors.filterIsInstance<Factor.Scale>().fold(1.0) { product, it -> product * it.node.value }
+
+        fun scale(term: Term) =
+            term.sign * term.factors.filterIsInstance<Factor.Scale>().fold(1.0) { product, it -> product * it.node.value }
         val own = scale(first) / first.sign
         if (own == 0.0) return merged(same.drop(1))
         return Term(first.textures, first.colors, first.factors, same.sumOf(::scale) / own, first.runs)
@@ -57,7 +72,18 @@ internal class TermFinder(private val samples: Samples, private val factors: Fac
     }
 
     private fun shape(monomial: Monomial): List<Any> =
-        monomial.parts.map { (node, power) -> (if (node.key in shared) node.key else kind(node)) to power }.sortedBy { it.toString() }
+        monomial.parts
+            .map { (node, power) ->
+                (
+                    if (node.key in shared &&
+                        node.source !is Source.Constant
+                    ) {
+                        node.key
+                    } else {
+                        kind(node)
+                    }
+                ) to power
+            }.sortedBy { it.toString() }
 
     /** What a node of one channel is, whichever that is. */
     private fun kind(node: Node): Any =
@@ -89,17 +115,27 @@ internal class TermFinder(private val samples: Samples, private val factors: Fac
         val textures = ArrayList<Texel>()
         val colors = ArrayList<List<Node>>()
         val common = ArrayList<Factor>()
-        for ((node, power) in red.parts) {
+        for ((i, part) in red.parts.withIndex()) {
+            val (node, power) = part
+            val same = listOf(node) + channels.drop(1).mapNotNull { counterpart(it, i, red) }
+            // A constant is a colour where it differs from channel to channel.
+            val isColor = if (node.source is Source.Constant) same.any { it.value != node.value } else node.key !in shared
             val texel = textureOf(node)
-            if (texel != null) {
-                textures += texel
-            } else if (node.key in shared || node.source is Source.Constant) {
-                common += factor(node, power)
-            } else {
-                colors += listOf(node) + channels.drop(1).mapNotNull { other -> other.parts.map { it.first }.find { it.key !in shared && kind(it) == kind(node) } }
+            when {
+                texel != null -> textures += texel
+                isColor -> colors += same
+                else -> common += factor(node, power)
             }
         }
         return Term(textures, colors, common, red.sign, runs)
+    }
+
+    /** The part of another channel's monomial that is what part [i] is of [red]. */
+    private fun counterpart(other: Monomial, i: Int, red: Monomial): Node? {
+        val node = red.parts[i].first
+        val own = other.parts.getOrNull(i)?.first
+        val isLike = own != null && other.parts.size == red.parts.size && (own.key == node.key || kind(own) == kind(node))
+        return if (isLike) own else other.parts.map { it.first }.find { it.key !in shared && kind(it) == kind(node) }
     }
 
     private fun factor(node: Node, power: Int): Factor {

@@ -97,7 +97,8 @@ internal class Trace private constructor(
 
         /** The vectors that are sent. */
         private fun uniforms(keys: Keys, nodes: List<Node>): List<NodeVector> =
-            nodes.filter { (it.source as? Source.Uniform)?.slot?.let { slot -> slot.columns == 1 && slot.size in 3..4 } == true }
+            nodes
+                .filter { (it.source as? Source.Uniform)?.slot?.let { slot -> slot.columns == 1 && slot.size in 3..4 } == true }
                 .groupBy { (it.source as Source.Uniform).slot.name }
                 .mapNotNull { (name, parts) ->
                     val three = (0..2).map { i -> parts.find { (it.source as Source.Uniform).component == i } ?: return@mapNotNull null }

@@ -55,7 +55,9 @@ internal class VectorFinder(private val samples: Samples, private val normal: In
     /** Each once: vectors that are the same in all samples count as one. */
     fun find(): List<KnownVector> {
         val byKey = samples.traces.map { trace -> trace.vectors.associateBy { it.key } }
-        val all = byKey[0].keys.filter { key -> byKey.all { key in it } }
+        val all = byKey[0]
+            .keys
+            .filter { key -> byKey.all { key in it } }
             .map { key -> byKey.map { it.getValue(key) } }
             .filter { runs -> runs.all { run -> run.nodes.all { it.value.isFinite() } } }
         val affine = ArrayList<KnownVector>()
@@ -66,8 +68,11 @@ internal class VectorFinder(private val samples: Samples, private val normal: In
     }
 
     private fun rounded(v: KnownVector): List<Any> =
-        listOf(v.isUnit) + samples.points.take(3).flatMap { point -> v.at(point.position, normalOf(point)).let { listOf(it.x, it.y, it.z) } }
-            .map { Math.round(it * 1e7) }
+        listOf(v.isUnit) +
+            samples.points
+                .take(3)
+                .flatMap { point -> v.at(point.position, normalOf(point)).let { listOf(it.x, it.y, it.z) } }
+                .map { Math.round(it * 1e7) }
 
     fun normalOf(point: SamplePoint): Vector3d = normal?.let { point.directions.getValue(it) } ?: Vector3d(0.0, 0.0, 1.0)
 
@@ -125,7 +130,8 @@ internal fun waysTo(ends: List<KnownVector>, spaces: Spaces): List<ToPoint> =
     ends.flatMap { end ->
         spaces.all().map { (space, matrix) ->
             val constant = Vector3d(end.constant).sub(matrix.m30(), matrix.m31(), matrix.m32())
-            val vector = KnownVector(end.key, Matrix3d(matrix).scale(-1.0), Matrix3d().zero(), constant, false, end.line, end.nodes, isEnd = true)
+            val vector =
+                KnownVector(end.key, Matrix3d(matrix).scale(-1.0), Matrix3d().zero(), constant, false, end.line, end.nodes, isEnd = true)
             ToPoint(vector, space, end.constant, 1.0)
         }
     }

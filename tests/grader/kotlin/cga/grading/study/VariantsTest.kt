@@ -11,7 +11,6 @@ import org.junit.jupiter.api.DynamicTest.dynamicTest
 import org.junit.jupiter.api.TestFactory
 import org.junit.jupiter.api.extension.ExtendWith
 
-
 @ExtendWith(Offscreen::class)
 @Slow
 class VariantsTest {

@@ -77,7 +77,12 @@ internal class LightAxes(
     private fun cosineAt(i: Int, factor: Factor.Cosine): Double {
         val point = reading.samples.points[i]
         val n = factor.normal.vector.at(point.position, reading.finder.normalOf(point), true)
-        val l = factor.light.way.vector.at(point.position, reading.finder.normalOf(point), true).mul(factor.light.way.sign * factor.light.sign)
+        val l = factor.light.way.vector
+            .at(
+                point.position,
+                reading.finder.normalOf(point),
+                true,
+            ).mul(factor.light.way.sign * factor.light.sign)
         return n.dot(l)
     }
 
@@ -91,7 +96,18 @@ internal class LightAxes(
     private fun way(way: ToPoint, line: ShaderLine) {
         if (isOwn(way)) return
         val other = others.find { it !== light && isSame(it.way, way) }
-        add(if (other != null) Mistake.LATER_LIGHTS_FIRST_COSINE else Mistake.UNKNOWN, line, check = Check.MORE_LIGHTS_SHADING, text = "another-way")
+        add(
+            if (other !=
+                null
+            ) {
+                Mistake.LATER_LIGHTS_FIRST_COSINE
+            } else {
+                Mistake.UNKNOWN
+            },
+            line,
+            check = Check.MORE_LIGHTS_SHADING,
+            text = "another-way",
+        )
     }
 
     /** Whether [way] leads from the surface in view space to where the light is in the world. */
@@ -117,10 +133,11 @@ internal class LightAxes(
     /** How far [vector] is from the normal in [space], both of length 1. */
     private fun error(vector: KnownVector, space: Space): Double? {
         val right = reading.spaces.all()[space]?.let { Matrix3d(it).normal() } ?: return null
-        return reading.samples.points.map { point ->
-            val n = reading.finder.normalOf(point)
-            right.transform(Vector3d(n)).normalize().distance(vector.at(point.position, n, true))
-        }.average()
+        return reading.samples.points
+            .map { point ->
+                val n = reading.finder.normalOf(point)
+                right.transform(Vector3d(n)).normalize().distance(vector.at(point.position, n, true))
+            }.average()
     }
 
     private fun blends(blends: Blends, line: ShaderLine, isNormalUnit: Boolean) {
@@ -130,7 +147,11 @@ internal class LightAxes(
             isEarly = isEarly || blends.light in early
             add(Mistake.NORMALIZED_IN_VERTEX_SHADER, line)
         }
-        if (blends.normal == Blend.NEVER || blends.normal == Blend.EARLY_ONLY || !isNormalUnit) add(Mistake.NORMAL_NOT_RENORMALIZED, line, 0.5)
+        if (blends.normal == Blend.NEVER || blends.normal == Blend.EARLY_ONLY ||
+            !isNormalUnit
+        ) {
+            add(Mistake.NORMAL_NOT_RENORMALIZED, line, 0.5)
+        }
     }
 
     private fun highlight(factor: Factor.Highlight) {
@@ -138,9 +159,18 @@ internal class LightAxes(
         if (cosines.isEmpty()) normal(factor.normal.vector, factor.light.way.space, factor.line)
         // Where the vector to the light itself is the wrong way round that is said already.
         if (factor.eye.sign < 0 || factor.light.sign != light.sign) add(Mistake.VIEW_VECTOR_SIGN, factor.line)
-        if (reading.factors.eyes.none { isSame(it, factor.eye.way) }) add(Mistake.UNKNOWN, factor.line, check = Check.SPECULAR, text = "eye-elsewhere")
+        if (reading.factors.eyes.none {
+                isSame(it, factor.eye.way)
+            }
+        ) {
+            add(Mistake.UNKNOWN, factor.line, check = Check.SPECULAR, text = "eye-elsewhere")
+        }
         when (factor.lobe) {
-            Lobe.HALF -> if (!factor.light.isUnit || !factor.eye.isUnit) add(Mistake.HALF_VECTOR_NOT_NORMALIZED, factor.line, text = "half-of-long-vectors")
+            Lobe.HALF -> if (!factor.light.isUnit ||
+                !factor.eye.isUnit
+            ) {
+                add(Mistake.HALF_VECTOR_NOT_NORMALIZED, factor.line, text = "half-of-long-vectors")
+            }
             Lobe.HALF_RAW, Lobe.HALF_MEAN -> add(Mistake.HALF_VECTOR_NOT_NORMALIZED, factor.line)
             Lobe.REFLECTED -> add(Mistake.PHONG_LEFT, factor.line)
         }
@@ -162,7 +192,12 @@ internal class LightAxes(
         val isOnBoth = light.diffuse.isEmpty() || light.specular.isEmpty() || (diffuse.isNotEmpty() && specular.isNotEmpty())
         if (!isOnBoth) add(Mistake.ATTENUATION_ON_DIFFUSE_ONLY, all[0].line)
         for (fade in all.distinctBy { it.node.key }) law(fade)
-        if (light.terms.any { term -> term.factors.count { it is Factor.Fade } > 1 }) add(Mistake.UNKNOWN, all[0].line, check = Check.ATTENUATION_FORM, text = "fades-twice")
+        if (light.terms.any { term ->
+                term.factors.count { it is Factor.Fade } > 1
+            }
+        ) {
+            add(Mistake.UNKNOWN, all[0].line, check = Check.ATTENUATION_FORM, text = "fades-twice")
+        }
     }
 
     private fun law(fade: Factor.Fade) {
@@ -182,13 +217,19 @@ internal class LightAxes(
 
     private fun cone() {
         val cone = light.cone ?: return
-        val isOnBoth = light.specular.isEmpty() || light.gate != null || light.specular.all { term -> term.factors.any { it is Factor.Cone } }
+        val isOnBoth =
+            light.specular.isEmpty() || light.gate != null || light.specular.all { term -> term.factors.any { it is Factor.Cone } }
         if (!isOnBoth) add(Mistake.SPECULAR_NOT_CONED, cone.line)
         if (!isOwn(cone.way)) add(Mistake.UNKNOWN, cone.line, check = Check.CONE, text = "cone-of-another-way")
         when {
             cone.isLong -> add(Mistake.UNKNOWN, cone.line, check = Check.CONE, text = "cone-of-a-long-vector")
             cone.falloff == Falloff.HARD -> add(Mistake.CONE_HARD_EDGE, cone.line)
-            cone.falloff != Falloff.LINEAR -> add(Mistake.UNKNOWN, cone.line, check = Check.CONE, text = "falloff-${cone.falloff.name.lowercase()}")
+            cone.falloff != Falloff.LINEAR -> add(
+                Mistake.UNKNOWN,
+                cone.line,
+                check = Check.CONE,
+                text = "falloff-${cone.falloff.name.lowercase()}",
+            )
             !cone.isLimitedAbove || !cone.isLimitedBelow -> add(Mistake.CONE_CLAMP_MISSING, cone.line)
         }
     }
@@ -200,7 +241,13 @@ internal class LightAxes(
         for (factor in (diffuse + specular + rest).distinctBy { it.node.key }) {
             val inDiffuse = diffuse.any { it.node.key == factor.node.key }
             val inSpecular = specular.any { it.node.key == factor.node.key }
-            val check = if (inDiffuse && inSpecular) Check.ATTENUATION_FORM else if (inSpecular) Check.SPECULAR else Check.DIFFUSE
+            val check = if (inDiffuse && inSpecular) {
+                Check.ATTENUATION_FORM
+            } else if (inSpecular) {
+                Check.SPECULAR
+            } else {
+                Check.DIFFUSE
+            }
             add(Mistake.UNKNOWN, factor.line, check = check, text = "unknown-factor")
         }
     }

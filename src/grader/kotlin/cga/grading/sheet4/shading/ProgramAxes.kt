@@ -40,13 +40,21 @@ internal class ProgramAxes(private val reading: ProgramReading, private val ligh
             lights.isEmpty() -> emptyList()
             diffuse.isEmpty() -> one(Mistake.DIFFUSE_MISSING)
             specular.isEmpty() -> one(Mistake.SPECULAR_MISSING)
-            else -> lights.filter { it.specular.isEmpty() && it.diffuse.isNotEmpty() }.map { Deviation(Mistake.SPECULAR_MISSING, it.name, 1.0, null) }
+            else -> lights.filter { it.specular.isEmpty() && it.diffuse.isNotEmpty() }.map {
+                Deviation(
+                    Mistake.SPECULAR_MISSING,
+                    it.name,
+                    1.0,
+                    null,
+                )
+            }
         }
 
     /** Each of the terms has a texture of its own, read as it is or decoded once. */
     private fun textures(): List<Deviation> {
         val own = diffuse.flatMap { it.textures }.map { it.sampler }.toSet()
-        val isShared = specular.isNotEmpty() && specular.all { term -> term.textures.isNotEmpty() && term.textures.all { it.sampler in own } }
+        val isShared =
+            specular.isNotEmpty() && specular.all { term -> term.textures.isNotEmpty() && term.textures.all { it.sampler in own } }
         return when {
             lights.isEmpty() || diffuse.isEmpty() || specular.isEmpty() -> emptyList()
             isShared -> one(Mistake.UNKNOWN, Check.MATERIAL, "one-texture-for-both-terms")

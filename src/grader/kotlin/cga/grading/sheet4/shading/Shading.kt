@@ -6,6 +6,7 @@ import cga.grading.findings.Measured
 import cga.grading.findings.Mistake
 import cga.grading.reading.CaptureReading
 import cga.grading.reading.LightReading
+import cga.grading.reading.Variant
 
 /** What the shaders of a capture compute beside what the sheet asks for. */
 internal class Shading(private val reading: CaptureReading) {
@@ -13,19 +14,32 @@ internal class Shading(private val reading: CaptureReading) {
     private val programs = reading.programs.keys.let { all -> all.filter { lights(it).isNotEmpty() }.ifEmpty { all } }
     private val lights: List<LightReading> = programs.flatMap(::lights)
 
-    val deviations: List<Deviation> = programs.flatMap { ProgramAxes(reading.programs.getValue(it), lights(it)).deviations() }
+    /** What is wrong, by number of the program. */
+    val byProgram: Map<Int, List<Deviation>> =
+        programs.groupBy { it.program }.mapValues { (_, variants) ->
+            variants.flatMap { ProgramAxes(reading.programs.getValue(it), lights(it)).deviations() }
+        }
+    val deviations: List<Deviation> = byProgram.values.flatten()
 
-    private fun lights(variant: cga.grading.reading.Variant) = reading.lights[variant].orEmpty()
+    private fun lights(variant: Variant) = reading.lights[variant].orEmpty()
 
     /** Each mistake once, with the lights that have it. */
     val mistakes: List<Found> =
-        deviations.groupBy { it.mistake to it.text }.values.map { same ->
-            val where = same.map { it.light }.filter { it.isNotEmpty() }.distinct().joinToString(", ")
-            Found(same[0].mistake, 0.0, same.maxOf { it.error }, where)
-        }.distinctBy { it.mistake }
+        deviations
+            .groupBy { it.mistake to it.text }
+            .values
+            .map { same ->
+                val where = same.map { it.light }.filter { it.isNotEmpty() }.distinct().joinToString(", ")
+                Found(same[0].mistake, 0.0, same.maxOf { it.error }, where)
+            }.distinctBy { it.mistake }
 
     /** How far each check that shaders decide is from right; without an error where nothing shows it. */
-    val checks: List<Measured> = SHOWN.map { (check, isShown) -> measured(check, lights.any(isShown) || (lights.isNotEmpty() && check in ALWAYS)) }
+    val checks: List<Measured> = SHOWN.map { (check, isShown) ->
+        measured(
+            check,
+            lights.any(isShown) || (lights.isNotEmpty() && check in ALWAYS),
+        )
+    }
 
     private fun measured(check: Check, isShown: Boolean): Measured {
         val own = deviations.filter { it.check == check }

@@ -1,7 +1,6 @@
 package cga.grading.reading
 
 import cga.reader.shader.Operation
-import cga.reader.shader.Source
 
 /** A number in a product; [power] is −1 in a denominator. */
 internal data class Part(val key: Long, val power: Int)
@@ -20,7 +19,7 @@ internal class Monomial(val sign: Double, val parts: List<Pair<Node, Int>>) {
  */
 internal class Expansion(private val isShared: (Node) -> Boolean, private val isWhole: (Node) -> Boolean) {
     fun of(node: Node): List<Monomial> {
-        val operation = node.operation ?: return if (node.value == 0.0 && isConstant(node)) emptyList() else one(node)
+        val operation = node.operation ?: return one(node)
         if (operation == Operation.TEXTURE || (isShared(node) && isWhole(node))) return one(node)
         return when (operation) {
             Operation.ADD -> limited(of(node.operands[0]) + of(node.operands[1]), node)
@@ -53,8 +52,6 @@ internal class Expansion(private val isShared: (Node) -> Boolean, private val is
     private fun limited(sum: List<Monomial>, node: Node) = if (sum.size > MOST) one(node) else sum
 
     private fun one(node: Node) = listOf(Monomial(1.0, listOf(node to 1)))
-
-    private fun isConstant(node: Node) = node.source is Source.Constant
 
     private companion object {
         const val MOST = 4096

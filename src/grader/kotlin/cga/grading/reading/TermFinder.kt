@@ -26,8 +26,11 @@ internal class TermFinder(private val samples: Samples, private val factors: Fac
         val all = found[0].values.map { red ->
             term(listOf(red) + found.drop(1).mapNotNull { partner(red, it.values) }, runs.getValue(red.key))
         }
-        return withoutFog(all.groupBy(::signature).values.map(::merged))
+        return withoutFog(all.filterNot(::isNothing).groupBy(::signature).values.map(::merged))
     }
+
+    /** Sums begin with 0. */
+    private fun isNothing(term: Term) = term.factors.any { it is Factor.Scale && it.node.source is Source.Constant && it.node.value == 0.0 }
 
     /** [terms] without the factors that all of them have: fog lies over everything. */
     private fun withoutFog(terms: List<Term>): List<Term> {

@@ -6,6 +6,7 @@ plugins {
 
 dependencies {
     api(project(":cli"))
+    implementation(project(":reader"))
     implementation(libs.kotlinx.serialization.json)
     implementation(libs.kotlinx.html)
 

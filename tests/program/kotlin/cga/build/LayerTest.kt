@@ -15,7 +15,7 @@ class LayerTest {
             "reader" to setOf("framework"),
             "reference" to setOf("framework"),
             "imaging" to setOf("framework"),
-            "grading" to setOf("imaging", "reference", "exercise", "framework"),
+            "grading" to setOf("imaging", "reference", "exercise", "reader", "framework"),
             "measure" to setOf("imaging", "reference", "exercise", "framework"),
             "inspect" to setOf("imaging", "reference", "exercise", "framework"),
             "cli" to setOf("grading", "measure", "inspect", "imaging", "reference", "exercise", "framework"),
@@ -190,7 +190,8 @@ class LayerTest {
 
     private companion object {
         /** Parts of the grader that run in the sandbox: they are started by name, and nothing outside of it may call them. */
-        val JOBS = listOf("submission", "likeness", "worker", "analysis", "study", "scene", "replay", "substitute")
+        val JOBS =
+            listOf("submission", "likeness", "worker", "analysis", "reading", "sheet4", "study", "scene", "replay", "substitute")
 
         /** Parts that start jobs and hand on what those say. */
         val BETWEEN_JOBS = listOf("pipeline", "prepared")

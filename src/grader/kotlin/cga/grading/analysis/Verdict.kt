@@ -37,7 +37,13 @@ internal class Verdict private constructor(
             }
             val checks = VerdictChecks(shading, scene, known).all()
             val dim = if (needed(known) <= scene.unlit.size) known.map { it.mistake }.filter(VerdictTraces::saysMissing) else emptyList()
-            val mistakes = known.map { explained(it, all, it.mistake in dim, quarrel.unfounded.isNotEmpty(), checks) }
+            // Numbers that never arrive hide nothing where no shader would do anything with them.
+            val isShading = shading.checks.any { it.check in VerdictTraces.SHADING && it.error != null }
+            val dark = if (isShading) emptySet() else checks.filter { !it.found }.map { it.check }.toSet()
+            val mistakes =
+                known
+                    .map { explained(it, all, it.mistake in dim, quarrel.unfounded.isNotEmpty(), checks) }
+                    .map { copy(it, it.explains.orEmpty() - dark) }
             val unknown = if (all.any { it.mistake == Mistake.UNKNOWN }) null else unexplained(checks, mistakes)
             return Verdict(checks, mistakes + listOfNotNull(unknown))
         }

@@ -28,7 +28,10 @@ internal class ShaderLines(private val capture: Capture) {
 
     private fun place(program: Int, line: ShaderLine): Place? {
         if (line.line == 0) return null
-        val source = capture.programs[program].let { if (line.stage == Stage.VERTEX) it.vertexSource else it.fragmentSource }
-        return Place("${line.stage.name.lowercase()} shader", line.line).within(source)
+        val captured = capture.programs[program]
+        val isVertex = line.stage == Stage.VERTEX
+        val source = if (isVertex) captured.vertexSource else captured.fragmentSource
+        val file = if (isVertex) captured.vertexFile else captured.fragmentFile
+        return Place(file ?: "${line.stage.name.lowercase()} shader", line.line).within(source)
     }
 }

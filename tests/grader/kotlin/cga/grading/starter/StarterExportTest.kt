@@ -52,7 +52,7 @@ class StarterExportTest {
         StarterExport.write(target)
         val text = sources(target).joinToString("\n") { it.readText() }
         val secrets =
-            listOf("reflected(", "normalize(", "cosInner", "class PointLight(", "class SpotLight(", "0.002 *", "parent = motorcycle\n\n        spot")
+            listOf("reflected(", "normalize(normalView)", "cosInner", "class PointLight(", "class SpotLight(", "0.002 *", "parent = motorcycle\n\n        spot")
         for (secret in secrets + "end of solution" + "Lösung") assertFalse(secret in text, secret)
         val light = target.resolve("src/main/kotlin/cga/exercise/components/light")
         assertEquals(listOf("IPointLight.kt", "ISpotLight.kt"), light.listDirectoryEntries().map { it.name }.sorted())

@@ -1,6 +1,7 @@
 package cga.grading.corpus
 
 import cga.grading.starter.StarterFiles
+import cga.grading.starter.StarterLanguage
 import cga.grading.starter.Template
 import java.util.TreeMap
 
@@ -26,7 +27,7 @@ internal enum class Base {
 
     private companion object {
         const val MAIN = "src/main/kotlin/cga/exercise/Main.kt"
-        val templates: Map<String, Template> by lazy { StarterFiles.templates() }
-        val main: Pair<String, String> by lazy { MAIN to StarterFiles.all().getValue(MAIN).decodeToString() }
+        val templates: Map<String, Template> by lazy { StarterFiles(StarterLanguage.ENGLISH).templates() }
+        val main: Pair<String, String> by lazy { MAIN to StarterFiles(StarterLanguage.ENGLISH).all().getValue(MAIN).decodeToString() }
     }
 }

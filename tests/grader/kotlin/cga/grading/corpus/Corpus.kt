@@ -1,6 +1,7 @@
 package cga.grading.corpus
 
 import cga.grading.starter.StarterFiles
+import cga.grading.starter.StarterLanguage
 import cga.testing.projectRoot
 import java.nio.file.Path
 import java.util.TreeMap
@@ -122,7 +123,7 @@ internal object Corpus {
     }
 
     private fun addOwnAssets(folder: Path) {
-        for ((path, content) in StarterFiles.all().filterKeys { it.startsWith("assets/") }) {
+        for ((path, content) in StarterFiles(StarterLanguage.ENGLISH).all().filterKeys { it.startsWith("assets/") }) {
             folder.resolve(path).apply { parent.createDirectories() }.writeBytes(content)
         }
     }

@@ -21,7 +21,7 @@ internal enum class Base {
     fun sources(): Sources =
         when (this) {
             COURSE -> Corpus.course
-            STARTER -> TreeMap(templates.mapValues { it.value.starter } + main)
+            STARTER -> TreeMap(templates.mapValues { it.value.starter }.filterValues { it.isNotBlank() } + main)
             SOLUTION -> TreeMap(templates.mapValues { (_, it) -> Template.solution(it.starter, it.regions) } + main)
         }
 

@@ -3,7 +3,6 @@ package cga.grading.capture
 import cga.coach.calls.Interception
 import java.io.File
 import java.io.IOException
-import java.net.URI
 import java.nio.file.FileSystems
 import java.nio.file.Files
 import java.nio.file.Path
@@ -23,7 +22,7 @@ public object WorkerFiles {
                 if (Files.isDirectory(home)) {
                     copy(home, part, jar)
                 } else {
-                    FileSystems.newFileSystem(URI("jar:${home.toUri()}"), emptyMap<String, Any>()).use { copy(it.getPath("/"), part, jar) }
+                    FileSystems.newFileSystem(home, emptyMap<String, Any>()).use { copy(it.getPath("/"), part, jar) }
                 }
             }
             entry("META-INF/services/javax.sound.sampled.spi.MixerProvider", jar) { jar.write(SOUND.toByteArray()) }

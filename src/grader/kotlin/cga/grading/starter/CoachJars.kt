@@ -3,7 +3,6 @@ package cga.grading.starter
 import cga.coach.Stage
 import cga.framework.InputError
 import java.io.ByteArrayOutputStream
-import java.net.URI
 import java.nio.file.FileSystems
 import java.nio.file.Files
 import java.nio.file.Path
@@ -33,7 +32,7 @@ internal object CoachJars {
     private fun files(one: Class<*>, folder: String): Map<String, ByteArray> {
         val home = Path.of(one.protectionDomain.codeSource.location.toURI())
         if (home.isDirectory()) return read(home, folder)
-        return FileSystems.newFileSystem(URI("jar:${home.toUri()}"), emptyMap<String, Any>()).use { read(it.getPath("/"), folder) }
+        return FileSystems.newFileSystem(home, emptyMap<String, Any>()).use { read(it.getPath("/"), folder) }
     }
 
     private fun read(home: Path, folder: String): Map<String, ByteArray> =

@@ -6,8 +6,8 @@ import cga.grading.capture.EventKind
 import cga.grading.capture.Moment
 import cga.grading.findings.Findings
 import cga.grading.replay.Replay
-import cga.grading.scene.SceneJudge
-import cga.grading.scene.SceneProfile
+import cga.grading.sheet4.scene.SceneJudge
+import cga.grading.sheet4.scene.SceneProfile
 import cga.grading.study.ShaderStudy
 import cga.grading.study.UnlitDraws
 import cga.grading.substitute.Substitutes

@@ -4,7 +4,7 @@ import cga.grading.findings.Check
 import cga.grading.findings.Found
 import cga.grading.findings.Measured
 import cga.grading.findings.Mistake
-import cga.grading.scene.SceneVerdict
+import cga.grading.sheet4.scene.SceneVerdict
 
 /** Where study and scene judge the same thing: which of their mistakes are to be believed. */
 internal class Quarrel(

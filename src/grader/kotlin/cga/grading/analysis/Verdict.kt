@@ -5,7 +5,7 @@ import cga.grading.findings.Found
 import cga.grading.findings.Measured
 import cga.grading.findings.Mistake
 import cga.grading.rubric.disturbedBy
-import cga.grading.scene.SceneVerdict
+import cga.grading.sheet4.scene.SceneVerdict
 
 /**
  * One verdict from two witnesses: the study, which knows what the shaders compute, and the scene, which knows what happens over time.

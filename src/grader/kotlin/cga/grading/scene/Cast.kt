@@ -12,10 +12,7 @@ import kotlin.math.min
  * @param buffers of the object; where other draws shared its matrix and tint in a frame, it is part of a larger one there.
  * @param ordinal which of the objects made of the same buffers.
  */
-internal class Track(
-    private val buffers: List<Int>,
-    private val ordinal: Int,
-) {
+internal class Track(private val buffers: List<Int>, private val ordinal: Int) {
     fun of(frame: ObservedFrame): ObservedObject? {
         val same = frame.objects.filter { it.buffers.containsAll(buffers) }
         return same.getOrNull(ordinal) ?: same.lastOrNull()
@@ -28,11 +25,7 @@ internal class Track(
  * @param motorcycle the object that is driven, or that looks most like it where none can be; null in an empty scene.
  * @param driven whether it moves in the world: without that nobody can see what moves with it.
  */
-internal class Cast(
-    val motorcycle: Track?,
-    val ground: Track?,
-    val driven: Boolean,
-)
+internal class Cast(val motorcycle: Track?, val ground: Track?, val driven: Boolean)
 
 /** The objects of [frame], to be found again in others. */
 internal fun tracks(frame: ObservedFrame): List<Track> {
@@ -64,10 +57,7 @@ internal class Casting(private val frames: List<ObservedFrame>) {
     }
 
     /** World units a second up to [moment], or null. */
-    private fun speed(
-        track: Track,
-        moment: Moment,
-    ): Double? {
+    private fun speed(track: Track, moment: Moment): Double? {
         val before = place(track, Moment.entries[moment.ordinal - 1]) ?: return null
         return place(track, moment)?.let { it.distance(before) / moment.seconds }
     }
@@ -77,25 +67,16 @@ internal class Casting(private val frames: List<ObservedFrame>) {
         moment: Moment,
     ): Vector3d? = byMoment[moment]?.let(track::of)?.model?.takeIf { it.isUsable() }?.translation()
 
-    private fun vertices(
-        track: Track,
-        frame: ObservedFrame,
-    ) = track.of(frame)?.vertices?.size ?: 0
+    private fun vertices(track: Track, frame: ObservedFrame) = track.of(frame)?.vertices?.size ?: 0
 
-    private fun ground(
-        tracks: List<Track>,
-        frame: ObservedFrame,
-    ): Track? {
+    private fun ground(tracks: List<Track>, frame: ObservedFrame): Track? {
         val sizes = tracks.mapNotNull { track -> track.of(frame)?.let(::bounds)?.let { track to it } }
         val flat = sizes.filter { (_, it) -> it.height < FLAT * it.width }
         return flat.ifEmpty { sizes }.maxByOrNull { (_, it) -> it.width }?.first
     }
 
     /** How much a thing that stands still resembles a motorcycle: the course's scale, where the camera looks, a fine mesh. */
-    private fun likeness(
-        track: Track,
-        frame: ObservedFrame,
-    ): Double {
+    private fun likeness(track: Track, frame: ObservedFrame): Double {
         val shown = track.of(frame)?.takeIf { it.model.isUsable() } ?: return -1.0
         val seen = frame.view.transformPosition(shown.model.translation(), Vector3d())
         val centred = if (seen.z < 0) -seen.z / seen.length() else 0.0
@@ -117,10 +98,7 @@ internal class Casting(private val frames: List<ObservedFrame>) {
 }
 
 /** The box that an object fills, in world space. */
-internal class Bounds(
-    val least: Vector3d,
-    val most: Vector3d,
-) {
+internal class Bounds(val least: Vector3d, val most: Vector3d) {
     val width: Double get() = max(most.x - least.x, most.z - least.z)
     val height: Double get() = most.y - least.y
 }

@@ -54,10 +54,7 @@ internal fun angle(rotation: Matrix3dc): Double =
     atan2(axial(rotation).length(), (rotation.m00() + rotation.m11() + rotation.m22() - 1) / 2)
 
 /** The angle between two directions, exact also where it is small. */
-internal fun angle(
-    a: Vector3dc,
-    b: Vector3dc,
-): Double = atan2(a.cross(b, Vector3d()).length(), a.dot(b))
+internal fun angle(a: Vector3dc, b: Vector3dc): Double = atan2(a.cross(b, Vector3d()).length(), a.dot(b))
 
 internal fun Double.text(): String = if (isNaN()) "none" else "%.4g".format(Locale.ROOT, this)
 

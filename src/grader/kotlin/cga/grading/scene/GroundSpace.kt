@@ -19,10 +19,7 @@ internal object GroundSpace {
         return frames.map { settled(it, ground) }
     }
 
-    private fun settled(
-        frame: ObservedFrame,
-        ground: Track,
-    ): ObservedFrame {
+    private fun settled(frame: ObservedFrame, ground: Track): ObservedFrame {
         val shown = ground.of(frame)
         val seen = shown?.let { Matrix4d(frame.view).mul(it.model) }
         val view = if (seen == null || !seen.isUsable() || !frame.view.isUsable()) Matrix4d().zero() else view(frame, seen, flatAxis(shown))
@@ -35,11 +32,7 @@ internal object GroundSpace {
     }
 
     /** The ground's space, upright, without the ground's own scale; with it where that is the view's. */
-    private fun view(
-        frame: ObservedFrame,
-        seen: Matrix4dc,
-        flatAxis: Int?,
-    ): Matrix4d {
+    private fun view(frame: ObservedFrame, seen: Matrix4dc, flatAxis: Int?): Matrix4d {
         val view = rigidPart(seen)
         if (flatAxis == 0) view.rotateZ(-Math.PI / 2)
         if (flatAxis == 2) view.rotateX(Math.PI / 2)
@@ -50,10 +43,7 @@ internal object GroundSpace {
     }
 
     /** A scale that another object is exactly free of was undone for it: the camera is the child of a scaled motorcycle. */
-    private fun isViewScale(
-        scale: Double,
-        frame: ObservedFrame,
-    ): Boolean {
+    private fun isViewScale(scale: Double, frame: ObservedFrame): Boolean {
         val views = frame.objects.map { Matrix4d(frame.view).mul(it.model) }.filter { it.isUsable() }
         return abs(scale - 1) > UNSCALED && scale in HALF..DOUBLE && views.any { abs(it.scale() - 1) < UNSCALED }
     }

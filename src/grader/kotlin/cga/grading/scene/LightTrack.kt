@@ -5,42 +5,29 @@ import org.joml.Vector3dc
 import kotlin.math.abs
 
 /** A light through all frames; frames in which its position or colour is no number are left out. */
-internal class LightTrack(
-    val name: String,
-    private val states: Map<Moment, ObservedLight>,
-) {
-    fun at(moment: Moment): ObservedLight? = states[moment]
+internal class LightTrack(val name: String, private val states: Map<Moment, ObservedLight>) {
+    private val inOrder = states.entries.sortedBy { it.key }.map { it.value }
 
     /** The last state: the one that is surely complete. */
-    val last: ObservedLight = states.entries.maxBy { it.key.ordinal }.value
+    val last: ObservedLight = inOrder.last()
 
     /** The last cone, null for a point light. */
-    val cone: ObservedCone? = states.entries.sortedBy { it.key.ordinal }.mapNotNull { it.value.spot }.lastOrNull()
-    val isSpot: Boolean get() = cone != null
-
-    /** Whether it hangs on the camera: fixed to it, though what is sent went through the view matrix. */
-    val isOnCamera: Boolean get() = placed.place == Place.CONSTANT && last.isViewed && placed.holding.none { it.right }
-
-    /** Whether it ever gives light. */
-    val shines: Boolean = states.values.any { it.color.maxAbs() > DARK }
-
-    /** Whether its colour changes while the motorcycle stands. */
-    val changesColor: Boolean
+    val cone: ObservedCone? = inOrder.mapNotNull { it.spot }.lastOrNull()
 
     /** The largest colour value it ever has. */
-    val brightest: Double = states.values.maxOf { it.color.maxAbs() }
+    val brightest: Double = inOrder.maxOf { it.color.maxAbs() }
 
-    init {
-        val colors = Moment.entries.filter { it != Moment.FIRST }.mapNotNull { states[it]?.color }
-        val largest = colors.maxOfOrNull { it.maxAbs() } ?: 0.0
-        changesColor = colors.zipWithNext().any { (a, b) -> a.distance(b) > CHANGE * largest }
-    }
+    /** Whether it ever gives light. */
+    val shines: Boolean = brightest > DARK
 
-    /** The best of the hypotheses, those first that are right. */
-    var placed: Placed = Placed.UNKNOWN
+    /** Whether its colour changes while nothing but time does. */
+    val changesColor: Boolean =
+        states.filterKeys { it != Moment.FIRST }.toSortedMap().values.map { it.color }.let { colors ->
+            val largest = colors.maxOfOrNull { it.maxAbs() } ?: 0.0
+            colors.zipWithNext().any { (a, b) -> a.distance(b) > CHANGE * largest }
+        }
 
-    /** Whether it is known to move with the motorcycle. */
-    val rides: Boolean get() = placed.place?.rides == true
+    fun at(moment: Moment): ObservedLight? = states[moment]
 
     companion object {
         const val DARK = 1e-6
@@ -56,7 +43,7 @@ internal class LightTrack(
                     }
                 }
             }
-            return states.map { (name, itsStates) -> LightTrack(name, itsStates) }
+            return states.map { (name, its) -> LightTrack(name, its) }
         }
     }
 }

@@ -72,8 +72,4 @@ public class ObservedLight(
  * @param direction in view space, away from the light, unit length.
  * @param innerAngle from the axis to the edge of full light in radians, likewise [outerAngle] to that of darkness; NaN where it has none.
  */
-public class ObservedCone(
-    public val direction: Vector3dc,
-    public val innerAngle: Double,
-    public val outerAngle: Double,
-)
+public class ObservedCone(public val direction: Vector3dc, public val innerAngle: Double, public val outerAngle: Double)

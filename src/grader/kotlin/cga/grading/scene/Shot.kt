@@ -12,11 +12,7 @@ import org.joml.Vector3d
  * @param motorcycle its model matrix.
  * @param firstView the view matrix of the first picture of all.
  */
-internal class Shot(
-    val frame: ObservedFrame,
-    val motorcycle: Matrix4dc,
-    val firstView: Matrix4dc,
-) {
+internal class Shot(val frame: ObservedFrame, val motorcycle: Matrix4dc, val firstView: Matrix4dc) {
     val moment: Moment get() = frame.moment
     val view: Matrix4dc get() = frame.view
 
@@ -42,10 +38,7 @@ internal class Shot(
 }
 
 /** The frames by moment, and those of them that can be reckoned with. */
-internal class Timeline(
-    val frames: List<ObservedFrame>,
-    val cast: Cast,
-) {
+internal class Timeline(val frames: List<ObservedFrame>, val cast: Cast) {
     private val byMoment = frames.associateBy { it.moment }
 
     val shots: List<Shot> =
@@ -73,15 +66,3 @@ internal class Timeline(
             )
     }
 }
-
-/** Whether two lights have the same colour in every picture: both are sent from the same numbers. */
-internal fun Timeline.isOneColor(
-    a: LightTrack,
-    b: LightTrack,
-): Boolean = frames.all { frame ->
-    val (one, other) = listOf(a, b).map { it.at(frame.moment)?.color ?: return@all true }
-    one.distance(other) <= SAME_COLOR * one.length()
-}
-
-/** Relative. */
-private const val SAME_COLOR = 1e-5

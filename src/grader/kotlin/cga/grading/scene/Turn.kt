@@ -1,12 +1,8 @@
 package cga.grading.scene
 
-import cga.grading.capture.Cursor
-import cga.grading.capture.Key
-import cga.grading.capture.Moment
 import org.joml.Matrix3d
 import org.joml.Matrix4d
 import org.joml.Vector3d
-import org.joml.Vector4d
 import java.lang.Math.IEEEremainder
 import kotlin.math.PI
 import kotlin.math.abs
@@ -17,78 +13,53 @@ import kotlin.math.sin
 import kotlin.math.tan
 
 /**
- * What the mouse did before a moment.
+ * How the camera moved from one frame to the next; all in the motorcycle's space, world units.
  *
- * @param first whether it is the first that is heard of it: then [x] and [y] are pixels from the top left.
- * @param x pixels to the right, [y] pixels down.
+ * @param pose where the camera is at the second shot, in the motorcycle's space of the first; by itself in that of the second.
  */
-internal class MouseMove(
-    val moment: Moment,
-    val first: Boolean,
-    val x: Double,
-    val y: Double,
-    val alt: Boolean,
-) {
-    companion object {
-        /** From [Moment.MOUSE_FIRST] on as long as nothing is driven; a rest has x = y = 0. */
-        val ALL: List<MouseMove> =
-            buildList {
-                var last: Cursor? = null
-                for (moment in Moment.entries) {
-                    val cursor = moment.mouse
-                    if ((last == null && cursor == null) || Key.FORWARD in moment.keys) continue
-                    val now = cursor ?: last ?: continue
-                    add(MouseMove(moment, last == null, now.x - (last?.x ?: 0.0), now.y - (last?.y ?: 0.0), Key.LEFT_ALT in moment.keys))
-                    last = now
-                }
-            }
-    }
-}
-
-/** A move of the mouse, and what the camera made of it. */
-internal class Reaction(
-    val move: MouseMove,
-    val turn: Turn,
-)
-
-/** How the camera moved about the motorcycle from one frame to the next; all in the motorcycle's space, world units. */
 internal class Turn(
     private val before: Shot,
     private val after: Shot,
+    pose: (before: Shot, at: Shot) -> Matrix4d = { _, at -> at.cameraInMotorcycle },
 ) {
-    private val motion: Matrix4d = Matrix4d(after.cameraInMotorcycle).mul(Matrix4d(before.cameraInMotorcycle).invert())
+    private val then = pose(before, before)
+    private val now = pose(before, after)
+    private val motion: Matrix4d = Matrix4d(now).mul(Matrix4d(then).invert())
     private val rotation: Matrix3d = motion.get3x3(Matrix3d())
 
     /** Radians. */
     val angle: Double = angle(rotation)
 
-    /** How far the camera went around the motorcycle's own upright axis, wherever it looks; radians in [0, π]. */
-    val around: Double = abs(IEEEremainder(bearing(after) - bearing(before), 2 * PI))
-
-    /** By how much the camera rose or sank, relative to its distance from the motorcycle. */
-    val rise: Double = abs(after.cameraInMotorcycle.m31() - before.cameraInMotorcycle.m31()) / max(before.distance, NEAR)
-
     /** Unit vector in world space, of either sign; meaningless without an angle. */
     val axis: Vector3d = before.motorcycleTurn.transform(axial(rotation).normalize())
 
+    /** How far the camera went around the motorcycle's own upright axis, wherever it looks; radians in [−π, π]. */
+    val around: Double = IEEEremainder(bearing(now) - bearing(then), 2 * PI)
+
+    /** By how much the camera rose or sank, relative to its distance from the motorcycle. */
+    val rise: Double = abs(now.m31() - then.m31()) / max(before.distance, NEAR)
+
     /** How far the camera went, relative to its distance from the motorcycle. */
-    val moved: Double =
-        after.cameraInMotorcycle.translation().distance(before.cameraInMotorcycle.translation()) / max(before.distance, NEAR)
+    val moved: Double = now.translation().distance(then.translation()) / max(before.distance, NEAR)
 
     /** By how much the horizon tilted, radians. */
-    val roll: Double = abs(roll(after) - roll(before))
+    val roll: Double = abs(roll(now) - roll(then))
+
+    /** The x axis of [camera] over the horizon, radians. */
+    private fun roll(camera: Matrix4d) = asin(before.motorcycleTurn.transform(camera.column(0)).y.coerceIn(-1.0, 1.0))
 
     /** From the axis to the vertical, radians in [0, π/2]. */
     val tilt: Double = angle(axis, UP).let { minOf(it, PI - it) }
 
     /** From the axis to the camera's own upward axis, radians in [0, π/2]. */
-    val fromOwnAxis: Double = angle(axis, ownAxis()).let { minOf(it, PI - it) }
+    val fromOwnAxis: Double =
+        angle(axis, before.motorcycleTurn.transform(then.column(1))).let { minOf(it, PI - it) }
 
-    /** From the camera's own upward axis to the vertical, radians. */
-    val cameraTilt: Double = angle(ownAxis(), UP)
-
-    /** Whether the motorcycle itself was turned in the world. */
+    /** Whether the motorcycle itself was turned in the world, radians. */
     val motorcycleTurned: Double = angle(Matrix3d(after.motorcycleTurn).mul(Matrix3d(before.motorcycleTurn).transpose()))
+
+    /** The part of the turn about [reference], radians in [−π, π]. */
+    fun about(reference: Vector3d): Double = if (angle < TINY) 0.0 else angle * axis.dot(reference)
 
     /**
      * How far the axis passes the motorcycle by, relative to the camera's distance: 0 through it, 1 through the camera. Anything inside
@@ -123,17 +94,12 @@ internal class Turn(
         return matrix.transform(point, left).add(way).length()
     }
 
-    private fun ownAxis() = before.camera.getColumn(1, Vector4d()).let { Vector3d(it.x, it.y, it.z) }
-
     private companion object {
         val UP = Vector3d(0.0, 1.0, 0.0)
         const val NEAR = 1e-3
         const val TINY = 1e-18
         const val ROUNDS = 200
 
-        fun bearing(shot: Shot) = atan2(shot.cameraInMotorcycle.m30(), shot.cameraInMotorcycle.m32())
-
-        /** The camera's x axis over the horizon, radians. */
-        fun roll(shot: Shot) = asin(shot.camera.m01().coerceIn(-1.0, 1.0))
+        fun bearing(camera: Matrix4d) = atan2(camera.m30(), camera.m32())
     }
 }

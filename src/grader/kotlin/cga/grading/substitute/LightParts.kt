@@ -1,6 +1,6 @@
 package cga.grading.substitute
 
-import cga.grading.scene.SceneProfile
+import cga.grading.sheet4.scene.SceneProfile
 import org.joml.Vector3d
 import org.lwjgl.opengl.GL33C.GL_FLOAT
 import org.lwjgl.opengl.GL33C.GL_FLOAT_VEC2

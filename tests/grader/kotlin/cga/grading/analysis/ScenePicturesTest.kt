@@ -4,7 +4,7 @@ import cga.framework.image.ImageData
 import cga.grading.findings.Check
 import cga.grading.findings.Evidence
 import cga.grading.replay.Replay
-import cga.grading.scene.SceneJudge
+import cga.grading.sheet4.scene.SceneJudge
 import cga.grading.study.CourseShaders
 import cga.grading.study.SceneCapture
 import cga.grading.study.ShaderStudy

@@ -9,8 +9,8 @@ import cga.grading.rubric.CheckState
 import cga.grading.rubric.Grade
 import cga.grading.rubric.Rubric
 import cga.grading.rubric.spoiltBy
-import cga.grading.scene.SceneJudge
-import cga.grading.scene.SceneVerdict
+import cga.grading.sheet4.scene.SceneJudge
+import cga.grading.sheet4.scene.SceneVerdict
 import org.junit.jupiter.api.Assertions.assertEquals
 import org.junit.jupiter.api.Assertions.assertNull
 import org.junit.jupiter.api.Assertions.assertTrue

@@ -15,7 +15,7 @@ import cga.grading.rubric.CheckState
 import cga.grading.rubric.Rubric
 import cga.grading.sandbox.Hostile
 import cga.grading.sandbox.Limits
-import cga.grading.scene.SceneJudge
+import cga.grading.sheet4.scene.SceneJudge
 import cga.testing.Slow
 import org.junit.jupiter.api.AfterAll
 import org.junit.jupiter.api.Assertions.assertEquals

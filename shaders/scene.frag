@@ -3,10 +3,9 @@
 //   L_O = M_e·tint + M_d·L_a + Σ I·F·(M_d·max(cos α, 0) + M_s·max(cos β, 0)^k)·L
 
 // How many lights shine. The program puts the step's numbers here before compiling, so that a light that is off costs nothing.
-const int POINT_LIGHTS = 8;
-const int SPOT_LIGHTS = 2;
-// solution 4.2.3: what the shader is told of a point light
-// solution 4.3.3: what it is told of a spotlight
+const int LIGHTS = 10;
+// solution 4.2.3: what the shader is told of a light
+// solution 4.3.3: and of its cone
 const float MAX_FLOAT = 3.402823466e38;
 const float TWO_TO_66 = 73786976294838206464.0;
 // Where the formula's F is larger, a float could overflow on the way to the pixel.
@@ -14,18 +13,12 @@ const float MAX_ATTENUATION = 1e18;
 // Of the sum of two opposite unit vectors nothing is left but their rounding, at most 16·2^-24; this is its square.
 const float NO_HALF_VECTOR = 1e-12;
 
-struct PointLight {
+struct Light {
     vec3 position;     // view space
     vec3 color;
     vec3 attenuation;  // K_c, K_l, K_q
-};
-
-struct SpotLight {
-    vec3 position;     // view space
-    vec3 color;
-    vec3 attenuation;
-    vec3 direction;    // view space, unit length, away from the light
-    vec2 cone;         // 1 - cos of the inner and of the outer angle
+    vec3 direction;    // view space, unit length, away from the light; 0 for a point light
+    vec2 cone;         // 1 - cos of the inner and of the outer angle; more than 2 for a point light: it shines everywhere
 };
 // end of solution
 
@@ -38,11 +31,9 @@ struct Material {
 
 in vec2 surfaceTexCoord;   // texture coordinates, multiplied
 // solution 4.2.3: take the vectors from the vertex shader
-// solution 4.3.3: and those to the spotlights
 in vec3 normalView;        // surface normal, any length
 in vec3 toCameraView;      // from the surface to the eye
-in vec3 toPointLightView[max(POINT_LIGHTS, 1)];  // from the surface to each light; the length is the distance d
-in vec3 toSpotLightView[max(SPOT_LIGHTS, 1)];
+in vec3 toLightView[max(LIGHTS, 1)];  // from the surface to each light; the length is the distance d
 // end of solution
 
 uniform Material material;
@@ -55,10 +46,8 @@ uniform bool blinnPhong;    // half vector instead of reflected vector
 // end of solution
 uniform float inverseGamma; // 1 for none
 
-// solution 4.2.3: the point lights
-// solution 4.3.3: the spotlights
-uniform PointLight pointLight[max(POINT_LIGHTS, 1)];
-uniform SpotLight spotLight[max(SPOT_LIGHTS, 1)];
+// solution 4.2.3: the lights
+uniform Light light[max(LIGHTS, 1)];
 // end of solution
 
 out vec4 fragColor;
@@ -134,16 +123,10 @@ void main() {
     // solution 4.2.3: add the light of each point light
     // solution 4.3.3: add the light of each spotlight
     // solution 4.3.4: with their attenuation
-    for (int i = 0; i < POINT_LIGHTS; i++) {
-        float f = attenuationFactor(toPointLightView[i], pointLight[i].attenuation);
-        vec3 toLight = normalizeOrZero(toPointLightView[i]);
-        color += reflected(n, toLight, toCamera, diffuse, specular, f * pointLight[i].color);
-    }
-    for (int i = 0; i < SPOT_LIGHTS; i++) {
-        vec3 toLight = normalizeOrZero(toSpotLightView[i]);
-        float f = attenuationFactor(toSpotLightView[i], spotLight[i].attenuation)
-            * coneIntensity(-toLight, spotLight[i].direction, spotLight[i].cone);
-        color += reflected(n, toLight, toCamera, diffuse, specular, f * spotLight[i].color);
+    for (int i = 0; i < LIGHTS; i++) {
+        vec3 toLight = normalizeOrZero(toLightView[i]);
+        float f = attenuationFactor(toLightView[i], light[i].attenuation) * coneIntensity(-toLight, light[i].direction, light[i].cone);
+        color += reflected(n, toLight, toCamera, diffuse, specular, f * light[i].color);
     }
     // end of solution
     fragColor = vec4(inverseGamma == 1.0 ? color : pow(max(color, 0.0), vec3(inverseGamma)), 1.0);

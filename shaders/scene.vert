@@ -2,23 +2,15 @@
 // Takes a vertex to the screen and hands the fragment shader the vectors of the lighting model, in view space.
 
 // How many lights shine. The program puts the step's numbers here before compiling, so that a light that is off costs nothing.
-const int POINT_LIGHTS = 8;
-const int SPOT_LIGHTS = 2;
+const int LIGHTS = 10;
 
-// solution 4.2.3: what the shader is told of a point light, as in scene.frag
-// solution 4.3.3: what it is told of a spotlight
-struct PointLight {
+// solution 4.2.3: what the shader is told of a light, as in scene.frag
+struct Light {
     vec3 position;     // view space
     vec3 color;
     vec3 attenuation;  // K_c, K_l, K_q
-};
-
-struct SpotLight {
-    vec3 position;     // view space
-    vec3 color;
-    vec3 attenuation;
-    vec3 direction;    // view space, unit length, away from the light
-    vec2 cone;         // 1 - cos of the inner and of the outer angle
+    vec3 direction;    // view space, unit length, away from the light; 0 for a point light
+    vec2 cone;         // 1 - cos of the inner and of the outer angle; more than 2 for a point light: it shines everywhere
 };
 // end of solution
 
@@ -31,21 +23,17 @@ uniform mat3 normalMatrix;  // the same for normals
 uniform mat4 projection;    // view space -> clip space
 uniform vec2 tcMultiplier;  // how often the textures repeat
 
-// solution 4.2.3: the point lights
-// solution 4.3.3: the spotlights
-uniform PointLight pointLight[max(POINT_LIGHTS, 1)];
-uniform SpotLight spotLight[max(SPOT_LIGHTS, 1)];
+// solution 4.2.3: the lights
+uniform Light light[max(LIGHTS, 1)];
 // end of solution
 
 out vec2 surfaceTexCoord;                   // texture coordinates, multiplied
 out vec3 normalView;                        // surface normal, any length
-// solution 4.2.3: hand over the vectors to the camera and to the point lights
-// solution 4.3.3: and those to the spotlights
+// solution 4.2.3: hand over the vectors to the camera and to the lights
 // From the surface to the eye and to each light. They are affine in the position, so interpolating them is exact;
 // normalising here would bend them between the vertices. Their lengths are the distances.
 out vec3 toCameraView;
-out vec3 toPointLightView[max(POINT_LIGHTS, 1)];
-out vec3 toSpotLightView[max(SPOT_LIGHTS, 1)];
+out vec3 toLightView[max(LIGHTS, 1)];
 // end of solution
 
 void main() {
@@ -54,10 +42,8 @@ void main() {
     surfaceTexCoord = texCoord * tcMultiplier;
     normalView = normalMatrix * normal;
     // solution 4.2.3: these vectors, in view space
-    // solution 4.3.3: and those to the spotlights
     toCameraView = -positionView;
-    for (int i = 0; i < POINT_LIGHTS; i++) toPointLightView[i] = pointLight[i].position - positionView;
-    for (int i = 0; i < SPOT_LIGHTS; i++) toSpotLightView[i] = spotLight[i].position - positionView;
+    for (int i = 0; i < LIGHTS; i++) toLightView[i] = light[i].position - positionView;
     // end of solution
 
     gl_Position = projection * vec4(positionView, 1.0);

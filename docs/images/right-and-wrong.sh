@@ -60,18 +60,17 @@ close_up no-clamp ../.. "$work/home" --step 4.6 --mouse 800
 
 # 4.2.3: toLight normalised in the vertex shader: bent on large triangles, and its length, the distance, is lost.
 fresh
-change scene.vert 's/= pointLight\[i\].position - positionView;/= normalize(pointLight[i].position - positionView);/'
-change scene.vert 's/= spotLight\[i\].position - positionView;/= normalize(spotLight[i].position - positionView);/'
+change scene.vert 's/= light\[i\].position - positionView;/= normalize(light[i].position - positionView);/'
 pair normalized-too-early --step 4.3.4
 
 # 4.3.3: the sheet's formula with the letters of its prose: dark inside, light outside.
 fresh
-change scene.frag 's/clamp((cone.y - versine) \/ width, 0.0, 1.0)/clamp((versine - cone.x) \/ width, 0.0, 1.0)/'
+change scene.frag 's/clamp((cone.y - versine) \/ width, 0.0, 1.0)/cone.x > 2.0 ? 1.0 : clamp((versine - cone.x) \/ width, 0.0, 1.0)/'
 pair cone-inside-out --step 4.3
 
 # 4.3.3: the direction in world space. The headlight shines where the camera looks, wherever the motorcycle has turned.
 fresh
-change scene.frag 's/spotLight\[i\].direction, /vec3(0.0, -0.0698, -0.9976), /'
+change scene.frag 's/light\[i\].direction, /vec3(0.0, -0.0698, -0.9976), /'
 pair direction-in-world-space --step 4.5 --mouse 785
 
 # 4.3.3: a narrow cone, 0.02 degrees, seen from its light: versines, and cosines, which round to steps.

@@ -1,16 +1,9 @@
 #version 330 core
 // One factor of the lighting model as a colour, for one light; behind the same vertex shader and with the uniforms of scene.frag.
 
-const int POINT_LIGHTS = 8;
-const int SPOT_LIGHTS = 2;
+const int LIGHTS = 10;
 
-struct PointLight {
-    vec3 position;
-    vec3 color;
-    vec3 attenuation;
-};
-
-struct SpotLight {
+struct Light {
     vec3 position;
     vec3 color;
     vec3 attenuation;
@@ -28,19 +21,17 @@ struct Material {
 in vec2 surfaceTexCoord;
 in vec3 normalView;
 in vec3 toCameraView;
-in vec3 toPointLightView[max(POINT_LIGHTS, 1)];
-in vec3 toSpotLightView[max(SPOT_LIGHTS, 1)];
+in vec3 toLightView[max(LIGHTS, 1)];
 
 uniform Material material;
 uniform vec3 emissiveTint;
 uniform vec3 ambient;
 uniform bool blinnPhong;
 uniform float inverseGamma;
-uniform PointLight pointLight[max(POINT_LIGHTS, 1)];
-uniform SpotLight spotLight[max(SPOT_LIGHTS, 1)];
+uniform Light light[max(LIGHTS, 1)];
 
 uniform int factor;  // which one: the numbers below
-uniform int light;   // of which light: the point lights first, then the spotlights
+uniform int chosen;  // of which light
 
 const int NORMAL = 0;
 const int TO_CAMERA = 1;
@@ -88,16 +79,11 @@ void main() {
     vec3 toLight = vec3(0.0);
     vec3 k = vec3(1.0, 0.0, 0.0);
     float intensity = 1.0;
-    for (int i = 0; i < POINT_LIGHTS; i++) {
-        if (i != light) continue;
-        toLight = toPointLightView[i];
-        k = pointLight[i].attenuation;
-    }
-    for (int i = 0; i < SPOT_LIGHTS; i++) {
-        if (i + POINT_LIGHTS != light) continue;
-        toLight = toSpotLightView[i];
-        k = spotLight[i].attenuation;
-        intensity = coneIntensity(-unit(toLight), spotLight[i].direction, spotLight[i].cone);
+    for (int i = 0; i < LIGHTS; i++) {
+        if (i != chosen) continue;
+        toLight = toLightView[i];
+        k = light[i].attenuation;
+        intensity = coneIntensity(-unit(toLight), light[i].direction, light[i].cone);
     }
     vec3 n = unit(normalView);
     vec3 v = unit(toCameraView);

@@ -10,13 +10,18 @@ part_of() {
     esac
 }
 
-# The parts that make up a part, itself the last.
+# The parts that make up a part, itself the last, as the build files name them.
 parts_below() {
-    case $1 in
-        window) echo scene pictures cli window ;;
-        grader) echo scene pictures cli grader ;;
-        lab) echo scene pictures cli window lab ;;
-    esac
+    cd "$home/src" && awk -v part="$1" '
+        function list(name,    count, i, names) {
+            if (listed[name]++) return
+            count = split(uses[name], names, " ")
+            for (i = 1; i <= count; i++) list(names[i])
+            print name
+        }
+        FNR == 1 { split(FILENAME, folders, "/"); name = folders[2] }
+        /^ *(api|implementation)\(project\(":[a-z]+"\)\)/ { split($0, quoted, "\""); uses[name] = uses[name] " " substr(quoted[2], 2) }
+        END { list(part) }' ./*/build.gradle.kts
 }
 
 # The stamp holds the fingerprint of the sources that the part was built from.
@@ -115,10 +120,10 @@ show_progress() {
         function say(text) { print "cga:   " text > "/dev/stderr" }
         /^Downloading from/ && downloads++ % 100 == 0 { say(downloads == 1 ? "downloading libraries" : downloads " files downloaded") }
         /^\[INFO\] Building .*\[[0-9]+\/[0-9]+\]/ && $3 != "cga-lights" { step = $NF; gsub(/[][]/, "", step); split(step, of, "/")
-            place = $3 " (" of[1] - 1 " of " of[2] - 1 ")" }
-        /--- (kotlin-maven-plugin|kotlin):.*:compile / && place != "" { say("compiling " place) }
-        /--- (maven-surefire-plugin|surefire):.*:test / && place != "" { testing = place }
-        /T E S T S/ { say("testing " testing) }
+            place[$3] = $3 " (" of[1] - 1 " of " of[2] - 1 ")" }
+        /--- (kotlin-maven-plugin|kotlin):.*:compile / && $(NF - 1) in place { say("compiling " place[$(NF - 1)]) }
+        /T E S T S/ { say("testing") }
+        /^\[INFO\] Running / && ++classes % 25 == 0 { say(classes " test classes started") }
         /^corpus: / { say(substr($0, 9)) }
         /^> Task :[a-z]+:(compileKotlin|test)( |$)/ { split($3, of, ":"); say((of[3] == "test" ? "testing " : "compiling ") of[2]) }'
 }
@@ -140,9 +145,13 @@ list_classpath() {
 }
 
 build_failed() {
-    # The compiler's lines, each once, without what Maven says of itself.
-    awk '/^(e: |\[ERROR\] .|[*>] What)/ && !/Help 1|e-run Maven|For more information|mvn <args>|After correcting/ && !seen[$0]++' "$log" |
-        head -n 20 >&2
+    # The compiler's lines, each once, without what Maven says of itself; where there are none, the step that failed.
+    awk '/^(e: |\[ERROR\] .|[*>] What)/ && !/\] \[Help|e-run Maven|For more information|mvn <args>|After correcting/ {
+            sub(/ -> \[Help [0-9]+\]$/, "")
+            if (/Failed to execute goal/) step = $0
+            else if (!seen[$0]++) { print; said = 1 }
+        }
+        END { if (!said && step != "") print step }' "$log" | head -n 20 >&2
     die "the build failed; all that $tool said: $log"
 }
 

@@ -24,7 +24,8 @@ run_tests() {
     else
         reports=surefire-reports
         # Maven writes Class#method where Gradle writes Class.method.
-        set -- mvn -B -Dkotlin.compiler.incremental=true -Dmaven.test.failure.ignore=true test ${fast:+-Dcga.tests=fast} \
+        set -- mvn -B -T2 -Dkotlin.compiler.incremental=true -Dmaven.test.failure.ignore=true -Dcga.tests.together test \
+            ${fast:+-Dcga.tests=fast} \
             ${pattern:+-Dsurefire.failIfNoSpecifiedTests=false} \
             ${pattern:+"-Dtest=$(echo "$pattern" | sed 's/\([A-Z][A-Za-z0-9_]*\)\.\([a-z]\)/\1#\2/')"}
     fi
@@ -36,16 +37,21 @@ run_tests() {
     . "$home/src/launcher/tests-summary.sh"
     summarize_tests target/*/"$reports" build/*/"$reports"
     passed=$?
-    # Where all tests passed and the build did not, it is the compiler that has something to say.
-    [ $passed != 0 ] || ! grep -q -x 'the build failed' "$log" || build_failed
+    # Where no test failed and the build did, it is the compiler that has something to say. For Maven failed tests are no failure.
+    if [ $passed = 0 ] || [ "$tool" = Maven ] || ! has_reports; then ! grep -q -x 'the build failed' "$log" || build_failed; fi
     exit $passed
+}
+
+has_reports() {
+    for report in target/*/"$reports"/*.xml build/*/"$reports"/*.xml; do [ ! -e "$report" ] || return 0; done
+    return 1
 }
 
 # What was compiled against an interface that has changed since must not be tested. On a fresh clone there is nothing of the kind.
 compile_tests() {
     begin_incremental
     ls -d target/*/kotlin-ic >/dev/null 2>&1 || return 0
-    run_build mvn -B -Dkotlin.compiler.incremental=true test-compile
+    run_build mvn -B -T2 -Dkotlin.compiler.incremental=true test-compile
     forget_outdated || :
 }
 

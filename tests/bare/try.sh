@@ -8,6 +8,7 @@
 #   --clone NAME            the name of the clone's folder, such as 'bare üb ung'; default: cga-lights
 #   --without-sandbox       on systems that do not allow one, as many containers
 #   --maven-repository DIR  a local repository of Maven's to copy in, so that nothing is downloaded again
+#   --certificate FILE      an authority (PEM) that the network here wants trusted, such as a proxy's
 #   --cache DIR             keep Debian's packages here, from one run to the next
 #   --debootstrap OPTION    one more option for debootstrap, such as --no-check-gpg where there is no keyring for Ubuntu
 #   --folder DIR            where the systems are made, and removed again; needs some GB. Default: a folder in TMPDIR
@@ -18,7 +19,7 @@ set -euo pipefail
 
 home=$(cd "$(dirname "$0")/../.." && pwd)
 suites=() lines=() users=() more=() results=()
-repository='' cache='' folder='' clone=cga-lights sandbox=yes
+repository='' certificate='' cache='' folder='' clone=cga-lights sandbox=yes
 status=0
 while [ $# -gt 0 ]; do
     case $1 in
@@ -31,6 +32,7 @@ while [ $# -gt 0 ]; do
         --clone) clone=$2 && shift ;;
         --without-sandbox) sandbox='' ;;
         --maven-repository) repository=$(realpath "$2") && shift ;;
+        --certificate) certificate=$(realpath "$2") && shift ;;
         --cache) mkdir -p "$2" && cache=$(realpath "$2") && shift ;;
         --debootstrap) more+=("$2") && shift ;;
         --folder) folder=$2 && shift ;;
@@ -60,6 +62,8 @@ make() {
     # As images come: no list of packages, and none of those that were downloaded.
     rm -rf "$work/$1"/var/lib/apt/lists/* "$work/$1"/var/cache/apt/archives/*.deb
     cp /etc/resolv.conf "$work/$1/etc/resolv.conf"
+    # The package ca-certificates takes it over from there.
+    [ -z "$certificate" ] || install -D -m 644 "$certificate" "$work/$1/usr/local/share/ca-certificates/here.crt"
     apt-config dump | grep -E '^Acquire::(http|https)::proxy' >"$work/$1/etc/apt/apt.conf.d/proxy" || true
 }
 

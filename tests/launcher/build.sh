@@ -8,6 +8,8 @@ check 'and says so, and why' said 'building with Maven (first use)'
 check 'then it starts the program' called java
 
 check 'of the program only the part that the command needs' called 'mvn .* -pl src/window -am package$'
+check 'which uses those that its build file names' \
+    [ "$(grep '^cga-' "$checkout/build/cga/window.classpath" | tr '\n' ' ')" = 'cga-scene.jar cga-pictures.jar cga-cli.jar cga-window.jar ' ]
 check 'without what only tests need' called 'mvn .* -DwithoutTests '
 check 'and without cleaning what other parts have in the same folder' called 'mvn .* -Dmaven.clean.skip=true '
 check 'it names the log' said "its log is $checkout/build/cga/window.log"

@@ -14,6 +14,7 @@ mkdir -p "$scene" "$checkout/src/grader/kotlin" "$sandbox/bin" "$sandbox/home" "
 cp "$root/cga" "$checkout/cga"
 cp -R "$root/src/launcher" "$checkout/src/launcher"
 echo 'fun main() = Unit' >"$scene/Main.kt"
+(cd "$root/src" && for file in */build.gradle.kts; do mkdir -p "$checkout/src/${file%/*}" && cp "$file" "$checkout/src/$file"; done)
 touch "$checkout/pom.xml" "$checkout/build.gradle.kts" "$calls"
 
 for tool in sh awk cat chmod cksum cp date dirname env find grep head ln mkdir mv readlink rm sed sleep sort tail tee touch tr uname; do

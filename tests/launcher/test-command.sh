@@ -6,7 +6,6 @@ stub mvn <<END
 mkdir -p target/scene/surefire-reports
 cp "$sandbox/report" target/scene/surefire-reports/TEST-cga.ATest.xml
 pwd >"$sandbox/folder" && env >"$sandbox/environment"
-! grep -q '<failure' "$sandbox/report"
 END
 cat >"$sandbox/report" <<'END'
 <testsuite name="cga.ATest" time="1.5" tests="3">
@@ -17,7 +16,7 @@ cat >"$sandbox/report" <<'END'
 END
 
 cga test
-check 'Maven tests' called 'mvn -B .*-Dmaven.test.failure.ignore=true test$'
+check 'Maven tests' called 'mvn -B .*-Dmaven.test.failure.ignore=true -Dcga.tests.together test$'
 check 'and it is said' said 'testing with Maven'
 check 'the log is named' said "its log is $checkout/build/cga/test.log"
 check 'the slowest class is printed' printed '1.5 s  cga.ATest'
@@ -54,6 +53,14 @@ END
 cga test
 check 'a build that fails behind tests that passed ends with 2' ended 2
 check 'and says why' said 'Unresolved reference: mian'
+stub mvn <<'END'
+echo '[ERROR] Plugin a:b:1 or one of its dependencies could not be resolved: unknown certificate -> [Help 1]'
+exit 1
+END
+cga test
+check 'one that fails before any test ends with 2' ended 2
+check 'and says so' printed 'no test ran'
+check 'and why' said 'could not be resolved: unknown certificate'
 echo "$maven" >"$sandbox/bin/mvn"
 sed -i 's|classname="cga.ATest" time="0"></testcase>|classname="cga.ATest" time="0"><failure message="1 is not 2"/></testcase>|' "$sandbox/report"
 

@@ -24,6 +24,7 @@ public:
     {
         const glm::mat4 motorcycle = ride();
         const glm::mat4 view = viewOf(motorcycle * orbit());
+        const std::string spot = spotOf(calls);
         int objects = 0;
         glm::mat4 modelView(1);
         for (Call& call : calls) {
@@ -34,13 +35,13 @@ public:
                 put(call, modelView);
             } else if (call.name == "normalMatrix") {
                 put(call, normalMatrix(modelView));
-            } else if (call.name == "pointLight[0].position") {
+            } else if (call.name == light(0) + ".position") {
                 put(call, glm::vec3(view * motorcycle * glm::vec4(0, 1.6f, 0, 1)));
-            } else if (call.name.rfind("pointLight[", 0) == 0 && call.name.find("].position") != std::string::npos) {
-                put(call, glm::vec3(view * glm::vec4(corner(call.name[11] - '1'), 1)));
-            } else if (call.name == "spotLight[0].position") {
+            } else if (call.name == spot + ".position") {
                 put(call, glm::vec3(view * motorcycle * glm::vec4(0, 0.9f, -1.6f, 1)));
-            } else if (call.name == "spotLight[0].direction") {
+            } else if (call.name.rfind("light[", 0) == 0 && call.name.find("].position") != std::string::npos) {
+                put(call, glm::vec3(view * glm::vec4(corner(call.name[6] - '1'), 1)));
+            } else if (call.name == spot + ".direction") {
                 const glm::mat4 turn = glm::rotate(glm::mat4(1), glm::radians(-4.0f), glm::vec3(1, 0, 0));
                 put(call, glm::normalize(glm::vec3(view * motorcycle * turn * glm::vec4(0, 0, -1, 0))));
             }
@@ -48,6 +49,16 @@ public:
     }
 
 private:
+    static std::string light(int index) { return "light[" + std::to_string(index) + "]"; }
+
+    // The light with a cone: 1 - cos of an angle, which is at most 1; those of point lights are larger.
+    static std::string spotOf(const std::vector<Call>& calls)
+    {
+        for (const Call& call : calls)
+            if (call.name.find("].cone") != std::string::npos && call.values[0] <= 1) return call.name.substr(0, call.name.find('.'));
+        return "none";
+    }
+
     float number(const char* name) const
     {
         const auto found = parameters_.find(name);

@@ -50,7 +50,7 @@ public class ShadedPoint internal constructor(lights: Int) {
     /** M_d·L_a. */
     public val ambient: Vector3d = Vector3d()
 
-    /** What each light adds: the frame's point lights, then its spotlights. */
+    /** What each of the frame's lights adds. */
     public val lights: List<LightContribution> = List(lights) { LightContribution() }
 
     /** L_O, the sum of it all. */

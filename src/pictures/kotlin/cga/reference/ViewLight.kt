@@ -1,7 +1,7 @@
 package cga.reference
 
 import cga.framework.Frame
-import cga.framework.FramePointLight
+import cga.framework.FrameCone
 import org.joml.Vector3d
 import org.joml.Vector3dc
 
@@ -18,23 +18,20 @@ internal class ViewLight(
     val cone: Cone?,
 ) {
     companion object {
-        /** The point lights, then the spotlights. */
+        /** The lights of [frame], in its order. */
         fun of(frame: Frame): List<ViewLight> =
-            frame.pointLights.map { of(frame, it, null) } +
-                frame.spotLights.map {
-                    val axis = frame.view.transformDirection(it.direction, Vector3d())
-                    of(frame, it.light, Cone(axis, it.innerAngle.toDouble(), it.outerAngle.toDouble()))
-                }
+            frame.lights.map { light ->
+                ViewLight(
+                    position = frame.view.transformPosition(light.position, Vector3d()),
+                    color = Vector3d(light.color),
+                    attenuation = Attenuation(light.attenuation),
+                    cone = light.cone?.let { cone(it, frame) },
+                )
+            }
 
-        private fun of(
+        private fun cone(
+            cone: FrameCone,
             frame: Frame,
-            light: FramePointLight,
-            cone: Cone?,
-        ) = ViewLight(
-            position = frame.view.transformPosition(light.position, Vector3d()),
-            color = Vector3d(light.color),
-            attenuation = Attenuation(light.attenuation),
-            cone = cone,
-        )
+        ) = Cone(frame.view.transformDirection(cone.direction, Vector3d()), cone.innerAngle.toDouble(), cone.outerAngle.toDouble())
     }
 }

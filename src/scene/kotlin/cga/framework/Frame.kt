@@ -25,6 +25,7 @@ public enum class SpecularModel(public val title: String) {
  * @param view world space → view space, rigid (rotation and translation only).
  * @param projection view space → clip space.
  * @param ambient L_a of the lighting model, linear RGB.
+ * @param lights in the order in which their shares are added.
  * @param gamma 1 for none; otherwise colours are raised to 1/gamma at the end.
  */
 public class Frame(
@@ -33,36 +34,8 @@ public class Frame(
     public val ambient: Vector3fc,
     public val specularModel: SpecularModel,
     public val gamma: Float,
-    public val pointLights: List<FramePointLight>,
-    public val spotLights: List<FrameSpotLight>,
+    public val lights: List<FrameLight>,
     public val draws: List<FrameDraw>,
-)
-
-/**
- * A light that shines evenly in every direction.
- *
- * @param position in world space.
- * @param color linear RGB, may exceed 1.
- * @param attenuation (K_c, K_l, K_q) of F = 1 / (K_c + K_l·d + K_q·d²).
- */
-public class FramePointLight(
-    public val position: Vector3dc,
-    public val color: Vector3fc,
-    public val attenuation: Vector3fc,
-)
-
-/**
- * A light with a cone.
- *
- * @param direction unit vector in world space, away from the light.
- * @param innerAngle between the axis and the edge of full light, radians in [0, π/2].
- * @param outerAngle between the axis and the edge of darkness, radians in [innerAngle, π/2].
- */
-public class FrameSpotLight(
-    public val light: FramePointLight,
-    public val direction: Vector3dc,
-    public val innerAngle: Float,
-    public val outerAngle: Float,
 )
 
 /**

@@ -1,8 +1,8 @@
 package cga.inspect
 
 import cga.exercise.game.Scene
-import cga.inspect.tune.KnobGroup
-import cga.inspect.tune.LightKnobs
+import cga.inspect.knob.KnobGroup
+import cga.inspect.light.InspectedLight
 import cga.inspect.tune.TunedLight
 import cga.inspect.tune.Tuning
 import cga.inspect.ui.Columns
@@ -73,7 +73,7 @@ internal class ControlPanel(
 
     private fun Widgets.knobs(light: TunedLight) {
         for (group in light.groups) {
-            if (group.title != LightKnobs.ATTENUATION || scene.step.attenuation) knobs(group)
+            if (group.title != InspectedLight.ATTENUATION || scene.step.attenuation) knobs(group)
         }
     }
 

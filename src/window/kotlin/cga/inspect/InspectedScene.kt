@@ -2,7 +2,7 @@ package cga.inspect
 
 import cga.exercise.game.Scene
 import cga.framework.SpecularModel
-import cga.inspect.gizmo.Gizmos
+import cga.inspect.light.Gizmos
 import cga.inspect.tune.Tuning
 import cga.inspect.view.Look
 import org.lwjgl.opengl.GL33C.*
@@ -59,7 +59,7 @@ internal class InspectedScene(
 
     /** The lights' markers, where they are wanted, over what [draw] has drawn. */
     fun drawGizmos() {
-        if (look.hasGizmos) (gizmos ?: Gizmos(scene).also { gizmos = it }).draw()
+        if (look.hasGizmos) (gizmos ?: Gizmos(scene.camera).also { gizmos = it }).draw(tuning.inspected)
     }
 
     /** To be called when the scene has another step. */

@@ -1,10 +1,10 @@
 package cga.reference
 
 import cga.framework.Frame
+import cga.framework.FrameCone
 import cga.framework.FrameDraw
+import cga.framework.FrameLight
 import cga.framework.FrameMaterial
-import cga.framework.FramePointLight
-import cga.framework.FrameSpotLight
 import cga.framework.FrameTexture
 import cga.framework.SpecularModel
 import cga.framework.image.ImageData
@@ -28,16 +28,21 @@ internal val NO_FALLOFF: Vector3fc = Vector3f(1f, 0f, 0f)
 
 internal fun frame(
     vararg draws: FrameDraw,
-    points: List<FramePointLight> = emptyList(),
-    spots: List<FrameSpotLight> = emptyList(),
+    lights: List<FrameLight> = emptyList(),
     ambient: Vector3fc = BLACK,
     specularModel: SpecularModel = SpecularModel.BLINN_PHONG,
     gamma: Float = 1f,
     projection: Matrix4fc = Matrix4f(),
-) = Frame(Matrix4d(), projection, ambient, specularModel, gamma, points, spots, draws.toList())
+) = Frame(Matrix4d(), projection, ambient, specularModel, gamma, lights, draws.toList())
 
-internal fun pointLight(x: Double, y: Double, z: Double, color: Vector3fc = WHITE, k: Vector3fc = NO_FALLOFF) =
-    FramePointLight(Vector3d(x, y, z), color, k)
+internal fun pointLight(
+    x: Double,
+    y: Double,
+    z: Double,
+    color: Vector3fc = WHITE,
+    k: Vector3fc = NO_FALLOFF,
+    cone: FrameCone? = null,
+) = FrameLight(Vector3d(x, y, z), color, k, cone)
 
 /** Triangles of vertices with eight numbers each: position, texture coordinates, normal. */
 internal fun draw(

@@ -1,7 +1,7 @@
 package cga.reference
 
 import cga.framework.Frame
-import cga.framework.FrameSpotLight
+import cga.framework.FrameCone
 import cga.framework.SpecularModel
 import cga.testing.DOUBLE_ROUNDING
 import cga.testing.assertNear
@@ -22,7 +22,7 @@ class LightingTest {
         // The surface at (0, 0, −2) faces the eye; the light at (2, 0, 0) is 45° off at a distance of √8.
         val light = pointLight(2.0, 0.0, 0.0, Vector3f(2f, 1f, 0.5f), Vector3f(1f, 0f, 0.125f))
         for (model in SpecularModel.entries) {
-            val point = shade(frame(points = listOf(light), ambient = Vector3f(0.25f), specularModel = model), k = 2.0)
+            val point = shade(frame(lights = listOf(light), ambient = Vector3f(0.25f), specularModel = model), k = 2.0)
             val f = 1 / (1 + 0.125 * 8)
             // Phong: the reflected ray leaves at 45° to the eye. Blinn-Phong: the half vector is at half of that.
             val beta = if (model == SpecularModel.PHONG) PI / 4 else PI / 8
@@ -43,11 +43,11 @@ class LightingTest {
     }
 
     @Test
-    fun `lights add up, points first, and each share is that of the light alone`() {
-        val points = listOf(pointLight(2.0, 0.0, 0.0), pointLight(0.0, 1.0, 1.0, Vector3f(0.5f)))
+    fun `lights add up, and each share is that of the light alone`() {
+        val lights = listOf(pointLight(2.0, 0.0, 0.0), pointLight(0.0, 1.0, 1.0, Vector3f(0.5f)))
         val spot = spot(Vector3d(0.0, 0.0, 0.0), Vector3d(0.1, 0.0, -1.0).normalize(), 0.05, 0.2)
-        val all = shade(frame(points = points, spots = listOf(spot)))
-        val alone = points.map { frame(points = listOf(it)) } + frame(spots = listOf(spot))
+        val all = shade(frame(lights = lights + spot))
+        val alone = lights.map { frame(lights = listOf(it)) } + frame(lights = listOf(spot))
         assertEquals(3, all.lights.size)
         for ((share, frame) in all.lights.zip(alone)) {
             val only = shade(frame).lights.single()
@@ -60,7 +60,7 @@ class LightingTest {
 
     @Test
     fun `gamma encodes the sum, and no negative light`() {
-        val frame = frame(gamma = 2f, points = listOf(pointLight(0.0, 0.0, 0.0, Vector3f(0f, 0f, -9f))))
+        val frame = frame(gamma = 2f, lights = listOf(pointLight(0.0, 0.0, 0.0, Vector3f(0f, 0f, -9f))))
         val point = shade(frame)
         assertNear(Vector3d(sqrt(0.1), sqrt(0.2), 0.0), point.color, TOLERANCE)
         assertTrue(point.radiance.z < -1)
@@ -69,11 +69,11 @@ class LightingTest {
     @Test
     fun `a light at the fragment does nothing`() {
         for (k in listOf(0.0, 1.0)) {
-            val point = shade(frame(points = listOf(pointLight(0.0, 0.0, -2.0, k = Vector3f(0f, 0f, 1f)))), k = k)
+            val point = shade(frame(lights = listOf(pointLight(0.0, 0.0, -2.0, k = Vector3f(0f, 0f, 1f)))), k = k)
             assertDark(point)
             assertEquals(0.0, point.lights.single().attenuation)
         }
-        assertDark(shade(frame(spots = listOf(spot(Vector3d(0.0, 0.0, -2.0), Vector3d(0.0, 0.0, -1.0), 0.1, 0.2)))))
+        assertDark(shade(frame(lights = listOf(spot(Vector3d(0.0, 0.0, -2.0), Vector3d(0.0, 0.0, -1.0), 0.1, 0.2)))))
     }
 
     @Test
@@ -83,7 +83,7 @@ class LightingTest {
             val position = direction.mul(2.0, Vector3d())
             val light = direction.mul(5.0, Vector3d())
             for (normal in listOf(Vector3d(1.0, 0.0, 0.0), direction, direction.negate(Vector3d()))) {
-                val frame = frame(points = listOf(pointLight(light.x, light.y, light.z)))
+                val frame = frame(lights = listOf(pointLight(light.x, light.y, light.z)))
                 val point = shade(frame, position, normal, k = 0.0)
                 assertEquals(Vector3d(), point.lights.single().specular, "$direction $normal")
             }
@@ -93,11 +93,11 @@ class LightingTest {
     @Test
     fun `a cosine of 0 to the power of 0 is 0, any other 1`() {
         // Mirrored, light from (2, 0, −2) comes back along the surface: at right angles to the eye.
-        val right = frame(points = listOf(pointLight(2.0, 0.0, -2.0)), specularModel = SpecularModel.PHONG)
+        val right = frame(lights = listOf(pointLight(2.0, 0.0, -2.0)), specularModel = SpecularModel.PHONG)
         val point = shade(right, normal = Vector3d(1.0, 0.0, 0.0), k = 0.0)
         assertEquals(0.0, point.lights.single().cosBeta)
         assertEquals(Vector3d(), point.lights.single().specular)
-        val other = shade(frame(points = listOf(pointLight(2.0, 0.0, 0.0))), k = 0.0)
+        val other = shade(frame(lights = listOf(pointLight(2.0, 0.0, 0.0))), k = 0.0)
         assertEquals(Vector3d(0.25), other.lights.single().specular)
     }
 
@@ -114,23 +114,23 @@ class LightingTest {
     fun `where d² is beyond all floats a light does not shine`() {
         val k = listOf(NO_FALLOFF, Vector3f(1f, 0.5f, 0.1f), Vector3f(0f, 0f, 1f))
         for (distance in listOf(1.85e19, 1e30, 3e38)) {
-            for (factors in k) assertDark(shade(frame(points = listOf(pointLight(0.0, 0.0, distance, k = factors)))))
+            for (factors in k) assertDark(shade(frame(lights = listOf(pointLight(0.0, 0.0, distance, k = factors)))))
         }
-        assertEquals(1.0, shade(frame(points = listOf(pointLight(0.0, 0.0, 1.84e19)))).lights.single().attenuation)
+        assertEquals(1.0, shade(frame(lights = listOf(pointLight(0.0, 0.0, 1.84e19)))).lights.single().attenuation)
     }
 
     @Test
     fun `without a normal there are emission and ambient`() {
         for (model in SpecularModel.entries) {
             val around = listOf(pointLight(0.0, 0.0, -4.0), pointLight(0.0, 0.0, 0.0), pointLight(2.0, 0.0, -2.0))
-            val point = shade(frame(points = around, ambient = WHITE, specularModel = model), normal = Vector3d(), k = 0.0)
+            val point = shade(frame(lights = around, ambient = WHITE, specularModel = model), normal = Vector3d(), k = 0.0)
             assertNear(Vector3d(0.6, 0.7, 0.8), point.color, TOLERANCE, "$model")
         }
     }
 
     @Test
     fun `a light behind the surface still has its highlight, as on the sheet`() {
-        val behind = shade(frame(points = listOf(pointLight(10.0, 0.0, -2.1))), k = 1.0).lights.single()
+        val behind = shade(frame(lights = listOf(pointLight(10.0, 0.0, -2.1))), k = 1.0).lights.single()
         assertTrue(behind.cosAlpha < 0)
         assertEquals(Vector3d(), behind.diffuse)
         assertTrue(behind.specular.x > 0.1)
@@ -157,7 +157,7 @@ class LightingTest {
     private fun assertDark(point: ShadedPoint) = assertEquals(point.emission, point.color)
 
     private fun spot(position: Vector3d, direction: Vector3d, inner: Double, outer: Double) =
-        FrameSpotLight(pointLight(position.x, position.y, position.z), direction, inner.toFloat(), outer.toFloat())
+        pointLight(position.x, position.y, position.z, cone = FrameCone(direction, inner.toFloat(), outer.toFloat()))
 
     private fun cone(theta: Double, inner: Double, outer: Double): Double {
         val axis = Vector3d(0.0, 0.0, -1.0)

@@ -47,6 +47,8 @@ class BuildParityTest {
         assertReport("scene: compile a:b: Gradle nothing, Maven 7", reportOfScene("</dependencies>", "$extra</dependencies>"))
         val missing = reportOfScene(".*>lwjgl<.*>natives-macos<.*", "")
         assertReport("scene: runtime org.lwjgl:lwjgl:natives-macos: Gradle *, Maven nothing", missing)
+        val program = changed(poms.getValue("program"), " *<resource>.*/lab/.*\n", "")
+        assertReport("tested together: Gradle *, lab, program, Maven *, grader, program", report(poms = poms + ("program" to program)))
         assertReport("main sources: Gradle kotlin, Maven src", report(">kotlin<", ">src<"))
         assertReport("test sources: Gradle *, Maven src/test", report("<testSourceDirectory>.*?<", "<testSourceDirectory>src/test<"))
         assertReport("JVM target: Gradle 17, Maven 21", report("<jvmTarget.version>17", "<jvmTarget.version>21"))

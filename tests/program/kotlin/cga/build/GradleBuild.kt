@@ -31,6 +31,8 @@ private class GradleBuild(
             put("group", find("""(?m)^ {4}group = "(.+)"""", script))
             put("version", find("""(?m)^ {4}version = "(.+)"""", script))
             put("parts", (partsInOrder().map { "src/$it" } + "tests/program").joinToString())
+            // Gradle's `test` at the root has all of them; Maven's list is written out.
+            put("tested together", (partsInOrder() + "program").joinToString())
             put("Kotlin", kotlin)
             put("JVM target", jvmTarget())
             check(

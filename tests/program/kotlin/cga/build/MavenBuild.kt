@@ -29,6 +29,7 @@ private class MavenBuild(pom: String, parts: Map<String, String>) {
             put("Kotlin", kotlin.value("version"))
             put("JVM target", kotlin.child("configuration").value("jvmTarget"))
             put("parts", project.child("modules").children().joinToString { it.textContent })
+            put("tested together", together().joinToString())
             put("main sources", sources("sourceDirectory"))
             put("test sources", sources("testSourceDirectory"))
             put("warnings are errors", ("-Werror" in arguments(kotlin.child("configuration"))).toString())
@@ -37,6 +38,13 @@ private class MavenBuild(pom: String, parts: Map<String, String>) {
             putAll(testFacts())
             putAll(dependencies())
         }
+
+    /** The parts whose tests the profile `together` has in one list. */
+    private fun together(): List<String> {
+        val profile = parts.getValue("program").child("profiles").children().single { it.value("id") == "together" }
+        val folders = profile.getElementsByTagName("resource")
+        return List(folders.length) { folders.item(it).textContent.trim().removeSurrounding("../../target/", "/test-classes") }
+    }
 
     private fun sources(element: String): String {
         check(project.getElementsByTagName("sourceDirs").length == 0) { "pom.xml: <sourceDirs>: this test knows only <$element>" }

@@ -107,7 +107,7 @@ class UpdateRateTest {
 
     private fun numbers(frame: Frame): List<Any> =
         listOf(frame.view, frame.gamma) + frame.draws.flatMap { listOf(it.model, it.tint) } +
-            frame.spotLights.flatMap { listOf(it.direction, it.outerAngle) }
+            frame.lights.mapNotNull { it.cone }.flatMap { listOf(it.direction, it.outerAngle) }
 
     private companion object {
         const val SECONDS = 4

@@ -5,6 +5,7 @@ import cga.grading.capture.CapturedDraw
 import cga.grading.capture.EventKind
 import cga.grading.capture.Moment
 import cga.grading.findings.Findings
+import cga.grading.findings.Message
 import cga.grading.replay.Replay
 import cga.grading.sheet4.scene.SceneJudge
 import cga.grading.sheet4.scene.SceneProfile
@@ -46,7 +47,13 @@ internal class Analysis(
                         val expected = ExpectedFrame(capture, study.materials, verdict)
                         ScenePictures(capture, replay, study.materials, expected, observed, it).take()
                     } ?: emptyList()
-                Findings(verdict.checks, verdict.mistakes, study.plots, pictures, study.notes + scene.notes + eventNotes())
+                Findings(
+                    verdict.checks,
+                    verdict.mistakes,
+                    study.plots,
+                    pictures,
+                    (study.notes + scene.notes + eventNotes()).map(Message::plain),
+                )
             }
         }
 

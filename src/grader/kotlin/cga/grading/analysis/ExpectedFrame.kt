@@ -1,10 +1,10 @@
 package cga.grading.analysis
 
 import cga.framework.Frame
+import cga.framework.FrameCone
 import cga.framework.FrameDraw
+import cga.framework.FrameLight
 import cga.framework.FrameMaterial
-import cga.framework.FramePointLight
-import cga.framework.FrameSpotLight
 import cga.framework.FrameTexture
 import cga.framework.SpecularModel
 import cga.framework.image.ImageData
@@ -78,28 +78,27 @@ internal class ExpectedFrame(
             ambient = Vector3f(surfaces.first().ambient?.takeIf { emission } ?: Vector3d()),
             specularModel = SpecularModel.BLINN_PHONG,
             gamma = gamma.toFloat(),
-            pointLights = lights.filter { it.spot == null }.mapNotNull { point(it, fromView) },
-            spotLights = lights.mapNotNull { light -> light.spot?.let { spot(light, it, fromView) } },
+            lights = lights.mapNotNull { light(it, fromView) },
             draws = surfaces.map { draw(it, emission) ?: return null },
         )
     }
 
-    private fun point(
+    private fun light(
         light: ObservedLight,
         fromView: Matrix4d,
-    ): FramePointLight? {
+    ): FrameLight? {
         // A position that no view matrix was applied to is one in the world.
         val isWorld = light.spot == null && wrong.mistakes.any { it.mistake == Mistake.TO_LIGHT_WORLD }
         val position = Vector3d(light.position).let { if (isWorld) it else fromView.transformPosition(it) }
         if (!position.isFinite || !light.color.isFinite) return null
-        return FramePointLight(position, Vector3f(Vector3d(light.color).max(Vector3d())), Vector3f(k(light)))
+        val cone = light.spot?.let { cone(it, fromView) ?: return null }
+        return FrameLight(position, Vector3f(Vector3d(light.color).max(Vector3d())), Vector3f(k(light)), cone)
     }
 
-    private fun spot(
-        light: ObservedLight,
+    private fun cone(
         cone: ObservedCone,
         fromView: Matrix4d,
-    ): FrameSpotLight? {
+    ): FrameCone? {
         val isWorld = wrong.mistakes.any { it.mistake == Mistake.SPOT_DIRECTION_WORLD }
         // Lit but for a cone is what an inverted one is about its own axis.
         val isInverted = minOf(cone.innerAngle, cone.outerAngle) > PI / 2
@@ -110,7 +109,7 @@ internal class ExpectedFrame(
             }.normalize(if (isReversed) -1.0 else 1.0)
         if (!direction.isFinite) return null
         val (inner, outer) = angles(listOf(cone.innerAngle, cone.outerAngle).map { if (isInverted) PI - it else it })
-        return point(light, fromView)?.let { FrameSpotLight(it, direction.normalize(), inner.toFloat(), outer.toFloat()) }
+        return FrameCone(direction.normalize(), inner.toFloat(), outer.toFloat())
     }
 
     private fun angles(edges: List<Double>): Pair<Double, Double> {

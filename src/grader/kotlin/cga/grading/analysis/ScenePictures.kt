@@ -10,6 +10,7 @@ import cga.grading.capture.CapturedDraw
 import cga.grading.capture.Moment
 import cga.grading.findings.Check
 import cga.grading.findings.Evidence
+import cga.grading.findings.Message
 import cga.grading.replay.Change
 import cga.grading.replay.Replay
 import cga.grading.scene.ObservedFrame
@@ -18,7 +19,6 @@ import cga.reference.ReferencePicture
 import cga.reference.ReferenceRenderer
 import org.lwjgl.opengl.GL33C.GL_COLOR_BUFFER_BIT
 import java.nio.file.Path
-import java.util.Locale
 
 /**
  * The pictures of a report: the whole scene at a few moments and each light alone, beside what they should be where that is known.
@@ -53,7 +53,7 @@ internal class ScenePictures(
         val name = "scene-${moment.name.lowercase()}"
         write("$name.png", frame, SCENE, Change.NONE)
         val truth = if (isCompared) expected("$name-expected.png", frame, SCENE) { expected.whole(capture.frames[frame], it) } else null
-        return Evidence(null, "scene at ${"%.1f".format(Locale.ROOT, capture.frames[frame].time)} s", "$name.png", truth)
+        return Evidence(null, Message.of("picture.scene", capture.frames[frame].time), "$name.png", truth)
     }
 
     /** Each light alone: all other colours black, and the emission with them. */
@@ -65,7 +65,18 @@ internal class ScenePictures(
             val name = "light-$number"
             write("$name.png", frame, LIGHT, LightAlone(materials, light.name, lights.map { it.name }.toSet()))
             val truth = expected("$name-expected.png", frame, LIGHT) { expected.light(capture.frames[frame], it, light.name) }
-            Evidence(if (light.spot == null) Check.POINT_LIGHT else Check.SPOT_LIGHT, "light ${light.name}", "$name.png", truth)
+            Evidence(
+                if (light.spot ==
+                    null
+                ) {
+                    Check.POINT_LIGHT
+                } else {
+                    Check.SPOT_LIGHT
+                },
+                Message.of("picture.light", light.name),
+                "$name.png",
+                truth,
+            )
         }
     }
 

@@ -10,6 +10,8 @@ import org.lwjgl.opengl.GL33C.GL_REPEAT
  * @param width of the window's framebuffer in pixels, likewise [height].
  * @param samples of the window's framebuffer, 0 for none.
  * @param buffers contents of buffer objects; draws name them by their number in this list. The same contents appear once.
+ * @param callers who called OpenGL: chains of calls in the submission's own code, each `package/File.kt:line`, innermost first. It is a
+ * stranger's text, to be shown and never believed.
  */
 public class Capture(
     public val width: Int,
@@ -20,7 +22,17 @@ public class Capture(
     public val frames: List<CapturedFrame>,
     public val events: List<CapturedEvent>,
     public val samples: Int = 0,
+    public val callers: List<List<String>> = emptyList(),
 ) {
+    /** The chain of calls with the number [caller]; empty for none. */
+    public fun chain(caller: Int): List<String> = callers.getOrNull(caller).orEmpty()
+
+    /** This capture with other [programs] and [frames]. */
+    public fun with(
+        programs: List<CapturedProgram> = this.programs,
+        frames: List<CapturedFrame> = this.frames,
+    ): Capture = Capture(width, height, programs, buffers, textures, frames, events, samples, callers)
+
     /** Every draw of every frame, in their order. */
     public val draws: List<CapturedDraw> get() = frames.flatMap { it.draws }
 
@@ -35,6 +47,8 @@ public class Capture(
  * @param outputs fragment outputs bound by the program to a colour number other than the compiler's, by name.
  * @param substituted whether these are not the submission's own sources but stand-ins for some that did not compile or link: they declare
  * the same inputs, outputs and uniforms and draw nothing of use.
+ * @param vertexFile the file with the same lines, from the folder that the submission ran in; null where none is known. Likewise
+ * [fragmentFile].
  */
 public class CapturedProgram(
     public val vertexSource: String,
@@ -42,7 +56,15 @@ public class CapturedProgram(
     public val attributes: Map<String, Int>,
     public val outputs: Map<String, Int> = emptyMap(),
     public val substituted: Boolean = false,
-)
+    public val vertexFile: String? = null,
+    public val fragmentFile: String? = null,
+) {
+    /** This program with the files that its sources are in. */
+    public fun inFiles(
+        vertex: String?,
+        fragment: String?,
+    ): CapturedProgram = CapturedProgram(vertexSource, fragmentSource, attributes, outputs, substituted, vertex, fragment)
+}
 
 /**
  * A 2D texture, or a cube map.
@@ -136,6 +158,7 @@ public class CapturedClear(
  * @param indices number in [Capture.buffers], or null for glDrawArrays.
  * @param indexType `GL_UNSIGNED_INT` and its like.
  * @param first byte offset into the indices, or first vertex.
+ * @param callers who made the call, and who bound what it uses.
  */
 public class CapturedDraw(
     public val program: Int,
@@ -150,7 +173,25 @@ public class CapturedDraw(
     public val uniforms: List<UniformValue>,
     public val textures: Map<Int, Int>,
     public val state: DrawState,
+    public val callers: DrawCallers = DrawCallers.NONE,
 ) : CapturedStep
+
+/**
+ * Who made a draw what it is; numbers in [Capture.callers], −1 where nobody is known.
+ *
+ * @param draw who made the call, [program] who put the program in use.
+ * @param textures texture unit → who bound what is there.
+ */
+public class DrawCallers(
+    public val draw: Int,
+    public val program: Int,
+    public val textures: Map<Int, Int>,
+) {
+    public companion object {
+        /** Nobody is known. */
+        public val NONE: DrawCallers = DrawCallers(-1, -1, emptyMap())
+    }
+}
 
 /**
  * One enabled vertex attribute, as glVertexAttribPointer was told.
@@ -173,11 +214,13 @@ public class CapturedAttribute(
  * @param name as OpenGL writes it: `lights[2].color`.
  * @param type `GL_FLOAT_VEC3` and its like; samplers hold their unit, booleans 0 or 1.
  * @param numbers matrices column by column.
+ * @param caller who sent it, a number in [Capture.callers]; −1 where nobody is known.
  */
 public class UniformValue(
     public val name: String,
     public val type: Int,
     public val numbers: FloatArray,
+    public val caller: Int = -1,
 )
 
 /** The fixed-function state that decides which fragments arrive and how they are mixed; OpenGL's own constants. */
@@ -202,11 +245,13 @@ public data class DrawState(
  *
  * @param frame number in [Capture.frames] of the frame it happened in; −1 before the first.
  * @param text what it is about (a uniform's name, a GL function, a log), at most 2000 characters.
+ * @param caller who made the call that it is about, a number in [Capture.callers]; −1 where nobody is known.
  */
 public class CapturedEvent(
     public val kind: EventKind,
     public val frame: Int,
     public val text: String,
+    public val caller: Int = -1,
 )
 
 /** Kinds of [CapturedEvent]. */

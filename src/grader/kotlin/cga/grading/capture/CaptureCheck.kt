@@ -13,6 +13,7 @@ internal class CaptureCheck(private val capture: Capture) {
     /** Throws [BadCapture] at the first thing that does not fit. */
     fun check() {
         capture.textures.forEach(::check)
+        for (call in capture.callers.flatten()) expect(call.length <= CaptureLimits.CALL) { "a call has ${call.length} characters" }
         var steps = 0
         for (frame in capture.frames) {
             steps += frame.steps.size
@@ -27,6 +28,7 @@ internal class CaptureCheck(private val capture: Capture) {
         }
         for (event in capture.events) {
             expect(event.frame < maxOf(capture.frames.size, 1)) { "an event belongs to frame ${event.frame}, which is not there" }
+            caller(event.caller)
             expect(event.text.length <= CaptureLimits.EVENT_TEXT) { "an event has ${event.text.length} characters" }
         }
     }
@@ -61,6 +63,10 @@ internal class CaptureCheck(private val capture: Capture) {
         expect(draw.textures.values.all { it in capture.textures.indices }) { "a draw's texture is not there" }
         expect(draw.uniforms.distinctBy { it.name }.size == draw.uniforms.size) { "two uniforms of a draw have one name" }
         expect(draw.attributes.distinctBy { it.location }.size == draw.attributes.size) { "two attributes of a draw have one location" }
+        draw.callers.textures.values.forEach(::caller)
+        draw.uniforms.forEach { caller(it.caller) }
+        caller(draw.callers.draw)
+        caller(draw.callers.program)
         check(draw.state)
         val last = lastVertex(draw)
         for (attribute in draw.attributes) {
@@ -70,6 +76,8 @@ internal class CaptureCheck(private val capture: Capture) {
             }
         }
     }
+
+    private fun caller(number: Int) = expect(number < capture.callers.size) { "caller $number is not there" }
 
     /** The number of the last vertex that [draw] reads; −1 for none. */
     private fun lastVertex(draw: CapturedDraw): Long {

@@ -93,8 +93,10 @@ public object CaptureFile {
         if (inflater.remaining > 0 || rest.read() >= 0) throw BadCapture("something follows the end of the capture")
     }
 
+    /** Of the format, and of what the recorder notes: another number where a submission's capture becomes another. */
+    public const val VERSION: Int = 2
     private const val BUFFER = 1 shl 16
 
-    // "CGACAP" and the version of the format.
-    private const val MAGIC = 0x4347414341500001L
+    // "CGACAP" and the version.
+    private const val MAGIC = 0x4347414341500000L + VERSION
 }

@@ -24,6 +24,11 @@ public object CaptureLimits {
     public const val EVENT_TEXT: Int = 2000
     public const val NAME: Int = 1024
 
+    /** Chains of calls, the calls of one, and the characters of each. */
+    public const val CALLERS: Int = 4096
+    public const val CALLS: Int = 8
+    public const val CALL: Int = 200
+
     /** Uniforms of one draw; OpenGL implementations have at most so many components. */
     public const val UNIFORMS: Int = 16_384
     public const val ATTRIBUTES: Int = 32

@@ -20,6 +20,7 @@ internal class CaptureReader(private val input: LimitedInput) {
             textures = input.list("textures", CaptureLimits.TEXTURES, ::texture),
             frames = input.list("frames", CaptureLimits.FRAMES) { frame(4L * width * height) },
             events = input.list("events", CaptureLimits.EVENTS, ::event),
+            callers = input.list("chains of calls", CaptureLimits.CALLERS) { input.list("calls", CaptureLimits.CALLS, ::call) },
         )
     }
 
@@ -29,7 +30,12 @@ internal class CaptureReader(private val input: LimitedInput) {
             frame = input.int("an event's frame", -1..CaptureLimits.FRAMES),
             // A character of UTF-16 takes at most three bytes.
             text = input.text("an event", 3 * CaptureLimits.EVENT_TEXT),
+            caller = caller(),
         )
+
+    private fun call() = input.text("a call", 3 * CaptureLimits.CALL)
+
+    private fun caller() = input.int("a caller", -1 until CaptureLimits.CALLERS)
 
     private fun program() =
         CapturedProgram(
@@ -38,7 +44,11 @@ internal class CaptureReader(private val input: LimitedInput) {
             attributes = numbers("attributes", CaptureLimits.ATTRIBUTES - 1),
             outputs = numbers("outputs", MAX_OUTPUT),
             substituted = input.boolean(),
+            vertexFile = file(),
+            fragmentFile = file(),
         )
+
+    private fun file() = input.text("a shader's file", CaptureLimits.NAME).ifEmpty { null }
 
     private fun numbers(
         what: String,
@@ -104,9 +114,15 @@ internal class CaptureReader(private val input: LimitedInput) {
             baseVertex = input.int(),
             instances = input.int("the instances of a draw", 0..CaptureLimits.INSTANCES),
             uniforms = input.list("uniforms", CaptureLimits.UNIFORMS, ::uniform),
-            textures = input.map("textures", CaptureLimits.UNITS) { input.int("a unit", 0 until CaptureLimits.UNITS) to input.int() },
+            textures = input.map("textures", CaptureLimits.UNITS) { unit() to input.int() },
             state = state(writes),
+            callers = callers(),
         )
+
+    private fun callers() =
+        DrawCallers(caller(), caller(), input.map("bound textures", CaptureLimits.UNITS) { unit() to caller() })
+
+    private fun unit() = input.int("a unit", 0 until CaptureLimits.UNITS)
 
     private fun attribute() =
         CapturedAttribute(
@@ -123,7 +139,7 @@ internal class CaptureReader(private val input: LimitedInput) {
         val name = name()
         val type = input.int()
         val size = GlNumbers.components(type) ?: throw BadCapture("uniform $name is of the unknown type $type")
-        return UniformValue(name, type, FloatArray(size) { input.float() })
+        return UniformValue(name, type, FloatArray(size) { input.float() }, caller())
     }
 
     private fun state(writes: WriteMask): DrawState {

@@ -16,7 +16,9 @@ internal class CaptureWriter(private val out: DataOutputStream) {
             out.writeByte(it.kind.ordinal)
             out.writeInt(it.frame)
             text(it.text)
+            out.writeInt(it.caller)
         }
+        list(capture.callers) { chain -> list(chain, ::text) }
     }
 
     private fun program(program: CapturedProgram) {
@@ -25,6 +27,8 @@ internal class CaptureWriter(private val out: DataOutputStream) {
         numbers(program.attributes)
         numbers(program.outputs)
         out.writeBoolean(program.substituted)
+        text(program.vertexFile.orEmpty())
+        text(program.fragmentFile.orEmpty())
     }
 
     private fun numbers(map: Map<String, Int>) {
@@ -82,13 +86,20 @@ internal class CaptureWriter(private val out: DataOutputStream) {
             text(it.name)
             out.writeInt(it.type)
             for (number in it.numbers) out.writeFloat(number)
+            out.writeInt(it.caller)
         }
-        list(draw.textures.entries) {
+        units(draw.textures)
+        state(draw.state)
+        out.writeInt(draw.callers.draw)
+        out.writeInt(draw.callers.program)
+        units(draw.callers.textures)
+    }
+
+    private fun units(units: Map<Int, Int>) =
+        list(units.entries) {
             out.writeInt(it.key)
             out.writeInt(it.value)
         }
-        state(draw.state)
-    }
 
     /** Nearly every step may write everywhere: what limits one stands before it. */
     private fun writes(mask: WriteMask) {

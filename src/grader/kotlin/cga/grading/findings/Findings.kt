@@ -11,23 +11,72 @@ public class Findings(
     public val mistakes: List<Found>,
     public val plots: List<Plot>,
     public val pictures: List<Evidence>,
-    public val notes: List<String>,
+    public val notes: List<Message>,
 )
 
+/** What is known of a check. */
+public enum class Standing {
+    /** How far it is from the truth. */
+    MEASURED,
+
+    /** The submission has nothing there that could be measured (no spotlight, no orbit): that earns nothing. */
+    ABSENT,
+
+    /** It could not be measured: a person has to look. */
+    OPEN,
+}
+
 /**
- * How far one check is from the truth.
+ * How far one check is from the truth, with every mistake that belongs elsewhere repaired.
  *
- * @param error relative to what is expected: 0 is exact, 1 is all of it; null where it could not be measured.
- * @param text the figures behind it, for the report: what was measured and what was expected.
- * @param found false where the submission has nothing there that could be measured (no spotlight, no orbit): that earns nothing. Without
- *   an [error] and yet found, it could not be measured (not separable): a person has to look.
+ * @param error relative to what is expected: 0 is exact, 1 is all of it; null where it was not measured.
+ * @param message the figures behind it: what was measured and what was expected.
  */
-public class Measured(
+public class Measured private constructor(
     public val check: Check,
+    public val standing: Standing,
     public val error: Double?,
-    public val text: String,
-    public val found: Boolean = true,
-)
+    public val message: Message,
+) {
+    /** As the judges before [Standing] say it: nothing is there unless [found], and it is open without an [error]. */
+    public constructor(check: Check, error: Double?, text: String, found: Boolean = true) :
+        this(check, standing(error, found), error, Message.plain(text))
+
+    public val found: Boolean get() = standing != Standing.ABSENT
+    public val text: String get() = "$message"
+
+    public companion object {
+        private fun standing(
+            error: Double?,
+            found: Boolean,
+        ) = if (!found) {
+            Standing.ABSENT
+        } else if (error == null) {
+            Standing.OPEN
+        } else {
+            Standing.MEASURED
+        }
+
+        /** [check] is off by [error]; open where that is no finite number. */
+        public fun of(
+            check: Check,
+            error: Double,
+            message: Message,
+        ): Measured = if (error.isFinite()) Measured(check, Standing.MEASURED, error, message) else open(check, message)
+
+        /** There is nothing of [check]. */
+        public fun absent(
+            check: Check,
+            message: Message,
+        ): Measured = Measured(check, Standing.ABSENT, null, message)
+
+        /** Nobody can tell of [check]. */
+        public fun open(
+            check: Check,
+            message: Message,
+        ): Measured = Measured(check, Standing.OPEN, null, message)
+    }
+}
 
 /**
  * A mistake that was recognised.
@@ -66,7 +115,7 @@ public class Plot(
  */
 public class Evidence(
     public val check: Check?,
-    public val title: String,
+    public val title: Message,
     public val measured: String,
     public val expected: String?,
 )

@@ -30,18 +30,24 @@ internal object FindingsReader {
             node.list("mistakes", Limit.MISTAKES).map(::found),
             node.list("plots", Limit.PLOTS).map(::plot),
             node.list("pictures", Limit.PICTURES).map(::evidence),
-            node.list("notes", Limit.NOTES).map { it.limited() },
+            node.list("notes", Limit.NOTES).map { MessageReader(it).message() },
         )
     }
 
     private fun measured(node: JsonNode): Measured {
-        node.allowOnly("check", "error", "found", "text")
+        node.allowOnly("check", "error", "absent", "said")
+        val check = check(node.get("check"))
+        val message = MessageReader(node.get("said")).message()
         val error = node.find("error")?.number("a number from 0") {
             it.toDoubleOrNull()?.takeIf { error ->
                 error.isFinite() && error >= 0
             }
         }
-        return Measured(check(node.get("check")), error, node.get("text").limited(), node.find("found")?.flag() ?: true)
+        return when {
+            node.find("absent")?.flag() == true -> Measured.absent(check, message)
+            error == null -> Measured.open(check, message)
+            else -> Measured.of(check, error, message)
+        }
     }
 
     private fun found(node: JsonNode): Found {
@@ -86,7 +92,7 @@ internal object FindingsReader {
         node.allowOnly("check", "title", "measured", "expected")
         return Evidence(
             node.find("check")?.let(::check),
-            node.get("title").limited(),
+            MessageReader(node.get("title")).message(),
             picture(node.get("measured")),
             node.find("expected")?.let(::picture),
         )

@@ -17,7 +17,7 @@ internal fun findingsJson(findings: Findings): String {
             putList("mistakes", findings.mistakes, Limit.MISTAKES, ::found)
             putList("plots", findings.plots, Limit.PLOTS, ::plot)
             putList("pictures", findings.pictures, Limit.PICTURES, ::evidence)
-            putList("notes", findings.notes.take(Limit.NOTES), Limit.NOTES) { JsonPrimitive(it.take(Limit.TEXT)) }
+            putList("notes", findings.notes.take(Limit.NOTES), Limit.NOTES, ::messageJson)
         }
     return PRETTY.encodeToString(JsonElement.serializer(), json) + "\n"
 }
@@ -32,8 +32,8 @@ private fun measured(measured: Measured) =
     buildJsonObject {
         put("check", measured.check.id)
         measured.error?.takeIf { it.isFinite() && it >= 0 }?.let { put("error", it) }
-        if (!measured.found) put("found", false)
-        put("text", measured.text.take(Limit.TEXT))
+        if (measured.standing == Standing.ABSENT) put("absent", true)
+        put("said", messageJson(measured.message))
     }
 
 private fun found(found: Found) =
@@ -67,7 +67,7 @@ private fun plot(plot: Plot): JsonObject {
 private fun evidence(evidence: Evidence) =
     buildJsonObject {
         evidence.check?.let { put("check", it.id) }
-        put("title", evidence.title.take(Limit.TEXT))
+        put("title", messageJson(evidence.title))
         put("measured", plain(evidence.measured))
         evidence.expected?.let { put("expected", plain(it)) }
     }

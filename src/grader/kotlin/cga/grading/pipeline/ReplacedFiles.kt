@@ -4,6 +4,7 @@ import cga.grading.findings.Check
 import cga.grading.findings.Findings
 import cga.grading.findings.Found
 import cga.grading.findings.Measured
+import cga.grading.findings.Message
 import cga.grading.findings.Mistake
 
 /** Files of a submission that did not compile and were replaced: what they are there for is not the submission's work. */
@@ -15,7 +16,7 @@ internal class ReplacedFiles(private val names: List<String>) {
         if (names.isEmpty()) return findings
         val refused = Found(Mistake.KOTLIN_REFUSED, 0.0, 0.0, names.joinToString(), explains = emptySet())
         return Findings(
-            findings.checks.map { if (it.check in checks) Measured(it.check, null, TEXT, found = false) else it },
+            findings.checks.map { if (it.check in checks) Measured.absent(it.check, REPLACED) else it },
             listOf(refused) + findings.mistakes.filterNot { it.mistake.check in checks },
             findings.plots.filterNot { it.check in checks },
             findings.pictures,
@@ -24,7 +25,7 @@ internal class ReplacedFiles(private val names: List<String>) {
     }
 
     internal companion object {
-        const val TEXT = "The file that this belongs to does not compile: the reference's took its place."
+        val REPLACED: Message = Message.of("said.file-replaced")
 
         private val POINT = setOf(Check.POINT_LIGHT, Check.POINT_LIGHT_POSITION, Check.ATTENUATION_POINT)
         private val SPOT = setOf(Check.SPOT_LIGHT, Check.SPOT_DIRECTION, Check.ATTENUATION_SPOT)

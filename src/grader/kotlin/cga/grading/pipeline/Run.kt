@@ -4,6 +4,7 @@ import cga.grading.findings.FailureReason
 import cga.grading.findings.Findings
 import cga.grading.findings.Graded
 import cga.grading.findings.LogExcerpt
+import cga.grading.findings.Message
 import cga.grading.findings.Refused
 import cga.grading.findings.RunFacts
 import cga.grading.sandbox.Outcome
@@ -41,7 +42,13 @@ internal class Run(
 
     fun graded(findings: Findings, notes: List<String>): Graded =
         Graded(
-            Findings(findings.checks, findings.mistakes, findings.plots, findings.pictures, (notes + findings.notes).distinct()),
+            Findings(
+                findings.checks,
+                findings.mistakes,
+                findings.plots,
+                findings.pictures,
+                (notes.map(Message::plain) + findings.notes).distinct(),
+            ),
             facts(),
         )
 

@@ -94,7 +94,7 @@ public object GradescopeResults {
         val points = check.points
         val cause = check.cause?.let(messages::of)
         val lines =
-            listOf(messages.of(check.state), words.text, cause?.title.orEmpty(), clean(messages.say(check.text))) +
+            listOf(messages.of(check.state), words.text, cause?.title.orEmpty(), clean(messages.say(check.message))) +
                 if (points != null && points < check.maximum) listOf((cause ?: words).hint) else emptyList()
         return buildJsonObject {
             if (points != null) {

@@ -75,13 +75,13 @@ public object JUnitXml {
             val name = "${check.check.id} ${words.title}"
             val points = check.points
             return when {
-                points == null -> Case(name, "skipped", message = messages.of(CheckState.OPEN), text = messages.say(check.text))
+                points == null -> Case(name, "skipped", message = messages.of(CheckState.OPEN), text = messages.say(check.message))
                 points >= check.maximum -> Case(name, null)
                 else -> {
                     val title = check.cause?.let { messages.of(it).title } ?: messages.of(check.state)
                     val hint = check.cause?.let { messages.of(it).hint } ?: words.hint
                     val score = messages.text("page.of", messages.number(points), messages.number(check.maximum))
-                    Case(name, "failure", check.cause?.id ?: check.state.id, title, "$score\n${messages.say(check.text)}\n$hint")
+                    Case(name, "failure", check.cause?.id ?: check.state.id, title, "$score\n${messages.say(check.message)}\n$hint")
                 }
             }
         }

@@ -97,7 +97,7 @@ internal fun cost(mistake: Mistake, home: CheckGrade?, grade: Grade, messages: M
         when (mistake) {
             // All that belongs to a file goes with it.
             Mistake.KOTLIN_REFUSED -> {
-                val gone = grade.checks.filter { it.state == CheckState.NOT_FOUND && it.text == REPLACED }.sumOf { it.maximum }
+                val gone = grade.checks.filter { it.state == CheckState.NOT_FOUND && it.message.key == REPLACED }.sumOf { it.maximum }
                 if (gone > 0) messages.text("page.costs-file", messages.number(gone)) else null
             }
             Mistake.SHADER_REFUSED -> if (grade.open > 0) messages.text("page.costs-open", messages.number(grade.open)) else null
@@ -107,6 +107,6 @@ internal fun cost(mistake: Mistake, home: CheckGrade?, grade: Grade, messages: M
 }
 
 /** What is said of a check whose file was replaced. */
-private const val REPLACED = "The file that this belongs to does not compile: the reference's took its place."
+private const val REPLACED = "said.file-replaced"
 private const val MOST_PROOFS = 3
 private const val MOST_DEVIATIONS = 5

@@ -86,7 +86,7 @@ private fun TD.what(check: CheckGrade, messages: Messages) {
 }
 
 /** What was measured of [check], as a reader sees it. */
-internal fun said(check: CheckGrade, messages: Messages): String = cleanLine(messages.say(check.text), MOST_SAID)
+internal fun said(check: CheckGrade, messages: Messages): String = cleanLine(messages.say(check.message), MOST_SAID)
 
 private const val MOST_SAID = 600
 

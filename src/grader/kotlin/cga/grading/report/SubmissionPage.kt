@@ -40,9 +40,9 @@ public object SubmissionPage {
         pointsTable(grade, messages)
         curves(findings.plots, messages)
         lights(pictures, messages)
-        val notes = findings.notes + pictures.complaints
+        val notes = findings.notes.map(messages::say) + pictures.complaints
         if (notes.isNotEmpty()) {
-            part(messages.text("page.notes")) { ul { notes.forEach { li { +cleanLine(messages.say(it), NOTE) } } } }
+            part(messages.text("page.notes")) { ul { notes.forEach { li { +cleanLine(it, NOTE) } } } }
         }
     }
 

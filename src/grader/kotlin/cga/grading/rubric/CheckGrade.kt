@@ -1,6 +1,7 @@
 package cga.grading.rubric
 
 import cga.grading.findings.Check
+import cga.grading.findings.Message
 import cga.grading.findings.Mistake
 
 /** How a check stands. */
@@ -32,7 +33,7 @@ public enum class CheckState(
  * @param maximum what it is worth.
  * @param points what it earned, in tenths; null while it is [CheckState.OPEN].
  * @param cause the mistake that costs it ([CheckState.MISTAKE]) or that explains it ([CheckState.EXPLAINED]).
- * @param text the figures behind it.
+ * @param message the figures behind it.
  */
 public class CheckGrade(
     public val check: Check,
@@ -41,7 +42,7 @@ public class CheckGrade(
     public val points: Double?,
     public val error: Double?,
     public val cause: Mistake?,
-    public val text: String,
+    public val message: Message,
 )
 
 /** The points of one task of the sheet. */

@@ -4,6 +4,7 @@ import cga.grading.findings.Check
 import cga.grading.findings.Findings
 import cga.grading.findings.Found
 import cga.grading.findings.Measured
+import cga.grading.findings.Message
 import cga.grading.findings.Mistake
 import kotlin.math.floor
 
@@ -59,7 +60,7 @@ public class Grade private constructor(
                             it * rule.points,
                         )
                     },
-                    measured?.error, cause, measured?.text.orEmpty(),
+                    measured?.error, cause, measured?.message ?: Message.NONE,
                 )
             val own = homes.filterValues { it == check }.keys.map { it.mistake }.maxByOrNull(rubric::cost)
             val others = homes.filterValues { it != check }.keys

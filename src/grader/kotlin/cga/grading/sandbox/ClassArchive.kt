@@ -116,7 +116,8 @@ internal class ClassArchive private constructor(
                     file
                         .stream()
                         .map { it.name }
-                        .filter { name -> name.endsWith(".class") && prefixes.any(name::startsWith) }
+                        // In a list of classes a name ends at a blank; those of tests have some.
+                        .filter { name -> name.endsWith(".class") && ' ' !in name && prefixes.any(name::startsWith) }
                         .map { it.removeSuffix(".class") }
                         .toList()
                 }

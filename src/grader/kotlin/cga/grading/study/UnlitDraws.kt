@@ -33,7 +33,7 @@ internal class UnlitDraws private constructor(
                 CapturedFrame(frame.moment, frame.time, steps, frame.picture)
             }
             val programs = capture.programs + dark.keys.map { capture.programs[it] }
-            val separated = with(capture) { Capture(width, height, programs, buffers, textures, frames, events, samples) }
+            val separated = capture.with(frames = frames)
             return UnlitDraws(separated, numbers.values.toSet())
         }
 
@@ -86,7 +86,7 @@ internal class UnlitDraws private constructor(
 
         private fun CapturedDraw.with(program: Int) =
             CapturedDraw(
-                program, mode, count, attributes, indices, indexType, first, baseVertex, instances, uniforms, textures, state,
+                program, mode, count, attributes, indices, indexType, first, baseVertex, instances, uniforms, textures, state, callers,
             )
 
         /** More kinds than that are numbers, not switches. */

@@ -23,7 +23,7 @@ internal class Substitutes private constructor(
             val drawn = stubs.filterValues { it.frames.isNotEmpty() }
             val shaders = drawn.mapValues { (number, sent) -> SubstituteShaders.of(capture.programs[number], sent) }
             val programs = capture.programs.mapIndexed { number, program -> shaders[number]?.program ?: program }
-            val replaced = with(capture) { Capture(width, height, programs, buffers, textures, frames, events, samples) }
+            val replaced = capture.with(programs = programs)
             return Substitutes(
                 if (drawn.isEmpty()) capture else replaced,
                 shaders.values.none { it == null },

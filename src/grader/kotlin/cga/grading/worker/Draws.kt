@@ -13,6 +13,7 @@ import org.lwjgl.opengl.GL33C.*
 internal class Draws(
     private val tape: Tape,
     private val programs: Programs,
+    private val callers: Callers,
 ) {
     val buffers: Buffers = Buffers(tape)
     val textures: Textures = Textures(tape)
@@ -45,14 +46,16 @@ internal class Draws(
                 return refuse("$function reads vertex $last, beyond the buffer of vertex attribute ${attribute.location}")
             }
         }
-        val values = program.uniforms.map { Uniforms.value(name, it) } + program.blocks.values(buffers)
+        val values =
+            program.uniforms.map { Uniforms.value(name, it, callers.ofUniform(name, it.location)) } + program.blocks.values(buffers)
         val number = program.number
         if (number == null || (indices != null && indices.number == null)) return refuse("$function of what a capture cannot hold", true)
         State.unusual()?.let { tape.event(EventKind.NOT_CAPTURED, "$function with $it") }
+        val bound = textures(values)
         val draw =
             CapturedDraw(
                 number, call.mode, call.count, attributes, indices?.number, call.indexType, call.first, call.baseVertex, call.instances,
-                values, textures(values), State.read(),
+                values, bound, State.read(), callers.ofDraw(bound.keys),
             )
         return Look(draw.takeIf { tape.affordStep(values.size + attributes.size + 1) }, true)
     }

@@ -6,14 +6,17 @@ import org.lwjgl.opengl.GL33C.*
 /**
  * Notes OpenGL's errors with the function that caused them, and keeps the first for the submission's own glGetError.
  */
-internal class Errors(private val tape: Tape) {
+internal class Errors(
+    private val tape: Tape,
+    private val callers: Callers,
+) {
     private var pending = GL_NO_ERROR
 
     /** Looks for an error after [function]; answers whether there was one. */
     fun check(function: String): Boolean {
         val code = glGetError()
         if (code == GL_NO_ERROR) return false
-        tape.event(EventKind.GL_ERROR, "${name(code)} $function")
+        tape.event(EventKind.GL_ERROR, "${name(code)} $function", callers.now())
         if (pending == GL_NO_ERROR) pending = code
         return true
     }

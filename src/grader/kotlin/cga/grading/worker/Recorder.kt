@@ -12,13 +12,14 @@ internal class Recorder(
     private val tape: Tape,
     private val window: WindowFramebuffer,
 ) {
-    private val errors = Errors(tape)
+    private val callers = Callers(tape)
+    private val errors = Errors(tape, callers)
     private val programs = Programs(tape)
-    private val draws = Draws(tape, programs)
+    private val draws = Draws(tape, programs, callers)
     private val scene = SceneTarget(window)
     private val framebuffers = FramebufferCalls(tape, window, scene)
     private val writes = WriteCalls(draws.buffers.writes, draws.textures.writes)
-    private val sentTwice = SentTwice(programs, tape)
+    private val sentTwice = SentTwice(programs, tape, callers)
     private val anisotropy = Anisotropy(tape)
     private val steps = ArrayList<CapturedStep>()
     private var moment: Moment? = null
@@ -62,6 +63,7 @@ internal class Recorder(
     }
 
     private fun handle(call: Call) {
+        callers.note(call)
         when (call.name) {
             "glDrawArrays", "glDrawArraysInstanced", "glDrawElements", "glDrawElementsBaseVertex", "glDrawElementsInstanced",
             "glDrawElementsInstancedBaseVertex", "glDrawRangeElements", "glDrawRangeElementsBaseVertex",
@@ -94,7 +96,7 @@ internal class Recorder(
         if (call.answer >= 0) {
             programs.find(call.int(0))?.asked?.put(call.answer, name)
         } else {
-            tape.event(EventKind.UNIFORM_ABSENT, name)
+            tape.event(EventKind.UNIFORM_ABSENT, name, callers.now())
         }
     }
 
@@ -104,7 +106,7 @@ internal class Recorder(
         if (location < 0) return
         val program = glGetInteger(GL_CURRENT_PROGRAM)
         val name = programs.foreign(program, location) ?: return
-        tape.event(EventKind.UNIFORM_WITHOUT_PROGRAM, "${call.name} $name")
+        tape.event(EventKind.UNIFORM_WITHOUT_PROGRAM, "${call.name} $name", callers.now())
     }
 
     private fun draw(call: Call) {

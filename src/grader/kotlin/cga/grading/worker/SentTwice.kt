@@ -7,6 +7,7 @@ import org.lwjgl.opengl.GL33C.*
 internal class SentTwice(
     private val programs: Programs,
     private val tape: Tape,
+    private val callers: Callers,
 ) {
     private val sent = HashMap<Pair<Int, Int>, FloatArray>()
 
@@ -17,7 +18,7 @@ internal class SentTwice(
         val name = programs.find(program)?.asked?.get(location) ?: return
         val value = FloatArray(VECTOR).also { glGetUniformfv(program, location, it) }
         val before = sent.put(program to location, value) ?: return
-        if (!before.contentEquals(value)) tape.event(EventKind.UNIFORM_OVERWRITTEN, name)
+        if (!before.contentEquals(value)) tape.event(EventKind.UNIFORM_OVERWRITTEN, name, callers.now())
     }
 
     /** To be called at each draw. */

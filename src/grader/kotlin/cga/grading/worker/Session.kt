@@ -1,5 +1,6 @@
 package cga.grading.worker
 
+import cga.grading.capture.Capture
 import cga.grading.capture.CaptureFile
 import cga.grading.capture.EventKind
 import java.io.IOException
@@ -47,7 +48,7 @@ internal object Session {
         isWritten = true
         try {
             noteFiles()
-            CaptureFile.write(tape.capture(), file)
+            CaptureFile.write(named(tape.capture()), file)
         } catch (e: IOException) {
             System.err.println("the capture cannot be written: $e")
         }
@@ -68,6 +69,16 @@ internal object Session {
             System.err.println("the textures' files cannot be read: $e")
         }
     }
+
+    private fun named(capture: Capture): Capture =
+        try {
+            val files = ShaderFiles(Path.of(""))
+            capture.with(programs = capture.programs.map(files::named))
+        } catch (e: IOException) {
+            capture.also { System.err.println("the shaders' files cannot be read: $e") }
+        } catch (e: UncheckedIOException) {
+            capture.also { System.err.println("the shaders' files cannot be read: $e") }
+        }
 
     private fun describe(problem: Throwable): String =
         generateSequence(problem) { it.cause.takeIf { cause -> cause !== it } }.take(MAX_CAUSES).joinToString("\ncaused by ") { link ->

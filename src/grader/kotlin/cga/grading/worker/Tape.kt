@@ -25,6 +25,7 @@ internal class Tape {
     private val levels = HashMap<Long, MutableList<ByteArray>>()
     private val frames = ArrayList<CapturedFrame>()
     private val events = ArrayList<CapturedEvent>()
+    private val callers = LinkedHashMap<List<String>, Int>()
     private val known = HashSet<List<Any>>()
     private var bytesLeft = CaptureLimits.BYTES / 4 * 3
     private var elementsLeft = CaptureLimits.ELEMENTS / 4 * 3
@@ -47,14 +48,27 @@ internal class Tape {
         this.samples = samples
     }
 
-    /** Notes an event; the same one only once a frame. */
+    /** Notes an event, of a call that [caller] made; the same one only once a frame. */
     @Synchronized
     fun event(
         kind: EventKind,
         text: String,
+        caller: Int = -1,
     ) {
         val short = text.take(CaptureLimits.EVENT_TEXT)
-        if (events.size < CaptureLimits.EVENTS - 1 && known.add(listOf(kind, frame, short))) events += CapturedEvent(kind, frame, short)
+        if (events.size < CaptureLimits.EVENTS - 1 &&
+            known.add(listOf(kind, frame, short))
+        ) {
+            events += CapturedEvent(kind, frame, short, caller)
+        }
+    }
+
+    /** The number of a chain of [calls], innermost first, each told once; −1 for none, and where there are too many. */
+    @Synchronized
+    fun caller(calls: List<String>): Int {
+        val chain = calls.filterIndexed { i, call -> i == 0 || call != calls[i - 1] }.take(CaptureLimits.CALLS)
+        if (chain.isEmpty()) return -1
+        return callers[chain] ?: if (callers.size < CaptureLimits.CALLERS) callers.size.also { callers[chain] = it } else -1
     }
 
     /** The number of [program], null when there are too many. */
@@ -114,8 +128,9 @@ internal class Tape {
             textures = textures.toList(),
             frames = frames.toList(),
             // An event that happened after the last frame belongs to it.
-            events = events.map { CapturedEvent(it.kind, minOf(it.frame, frames.size - 1), it.text) },
+            events = events.map { CapturedEvent(it.kind, minOf(it.frame, frames.size - 1), it.text, it.caller) },
             samples = samples,
+            callers = callers.keys.toList(),
         )
 
     private fun <T> MutableList<T>.number(

@@ -43,10 +43,11 @@ internal object Uniforms {
         size: Int,
     ): List<String> = if (name.endsWith("[0]")) List(size) { "${name.dropLast(ZERO)}[$it]" } else listOf(name)
 
-    /** What [uniform] of [program] holds now. */
+    /** What [uniform] of [program] holds now, which [caller] sent. */
     fun value(
         program: Int,
         uniform: Uniform,
+        caller: Int = -1,
     ): UniformValue =
         MemoryStack.stackPush().use { stack ->
             val size = GlNumbers.components(uniform.type) ?: 0
@@ -68,7 +69,7 @@ internal object Uniforms {
                         FloatArray(size) { real[it] }
                     }
                 }
-            UniformValue(uniform.name, uniform.type, numbers)
+            UniformValue(uniform.name, uniform.type, numbers, caller)
         }
 
     private const val ZERO = "[0]".length

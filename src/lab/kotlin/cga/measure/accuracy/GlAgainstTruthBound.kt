@@ -1,8 +1,8 @@
 package cga.measure.accuracy
 
 import cga.framework.Frame
-import cga.framework.FramePointLight
-import cga.framework.FrameSpotLight
+import cga.framework.FrameCone
+import cga.framework.FrameLight
 import cga.framework.SpecularModel
 import org.joml.Vector3d
 import org.joml.Vector3dc
@@ -16,8 +16,7 @@ import kotlin.math.sin
  * does to I all come out of the arithmetic by themselves.
  */
 internal class GlAgainstTruthBound(private val frame: Frame) {
-    private val cones = List(frame.pointLights.size) { null } + frame.spotLights.map(::Cone)
-    private val lights = frame.pointLights + frame.spotLights.map { it.light }
+    private val cones = frame.lights.map { light -> light.cone?.let(::Cone) }
 
     /** The share of each light, before the textures: what M_d and M_s are multiplied with. */
     class Share(
@@ -35,7 +34,7 @@ internal class GlAgainstTruthBound(private val frame: Frame) {
     ): List<Share> {
         val n = varyings.normal(x, y).normalize()
         val toCamera = (-varyings.position(x, y)).normalize()
-        return lights.mapIndexed { i, light ->
+        return frame.lights.mapIndexed { i, light ->
             val unnormalised = varyings.toLight(i, x, y)
             val toLight = unnormalised.normalize()
             val f = attenuation(light, unnormalised)
@@ -58,7 +57,7 @@ internal class GlAgainstTruthBound(private val frame: Frame) {
         }
 
     private fun attenuation(
-        light: FramePointLight,
+        light: FrameLight,
         toLight: BoundedVector,
     ): Bounded {
         val squared = toLight.dot(toLight)
@@ -80,10 +79,10 @@ internal class GlAgainstTruthBound(private val frame: Frame) {
         return cosine.clamp().pow(k)
     }
 
-    private inner class Cone(light: FrameSpotLight) {
-        private val axis = sent(frame.view.transformDirection(light.direction, Vector3d()))
-        private val inner = versine(light.innerAngle)
-        private val outer = versine(light.outerAngle)
+    private inner class Cone(cone: FrameCone) {
+        private val axis = sent(frame.view.transformDirection(cone.direction, Vector3d()))
+        private val inner = versine(cone.innerAngle)
+        private val outer = versine(cone.outerAngle)
 
         fun intensity(fromLight: BoundedVector): Bounded {
             val chord = fromLight - axis

@@ -74,7 +74,7 @@ internal object GlAgainstTruthShooter {
     ): GlAgainstTruthShot =
         RenderTarget(view.width, view.height, 0, ColorFormat.RGBA32F).use { target ->
             val frame = view.frame(step)
-            if (view == TruthView.SCENE) drawScene(step) else GlAgainstTruthTerms(frame).use { it.draw(null) }
+            if (view == TruthView.SCENE) drawScene(step) else GlAgainstTruthTerms(frame, view.lights(step)).use { it.draw(null) }
             val picture = target.readFloats()
             TriangleNumbers.draw(frame)
             val numbers = target.readFloats().rgba
@@ -95,7 +95,7 @@ internal object GlAgainstTruthShooter {
     ): List<Float> {
         val frame = view.frame(step)
         return RenderTarget(view.width, view.height, 0, ColorFormat.RGBA32F).use { target ->
-            GlAgainstTruthTerms(frame).use { terms ->
+            GlAgainstTruthTerms(frame, view.lights(step)).use { terms ->
                 GlAgainstTruthTerm.all(frame).flatMap { term ->
                     terms.draw(term)
                     val at = 4 * (row * view.width + column)

@@ -3,9 +3,9 @@ package cga.measure.accuracy
 import cga.exercise.components.geometry.Mesh
 import cga.exercise.components.geometry.NormalMatrix
 import cga.exercise.components.geometry.VertexAttribute
+import cga.exercise.components.light.PointLight
 import cga.exercise.components.shader.ShaderProgram
 import cga.framework.Frame
-import cga.framework.FramePointLight
 import cga.framework.FrameTexture
 import cga.framework.SpecularModel
 import cga.framework.image.ImageData
@@ -14,13 +14,11 @@ import cga.reference.ShadedPoint
 import org.joml.Matrix3f
 import org.joml.Matrix4d
 import org.joml.Matrix4f
-import org.joml.Vector2f
 import org.joml.Vector3d
 import org.joml.Vector3f
 import org.joml.Vector3fc
 import org.lwjgl.opengl.GL33C.*
 import org.lwjgl.system.MemoryUtil
-import kotlin.math.sin
 
 /** A term of the lighting model: the emission (with the ambient light), or what one [light] adds, matt or glossy. */
 internal class GlAgainstTruthTerm(
@@ -37,24 +35,25 @@ internal class GlAgainstTruthTerm(
         }
 
     companion object {
-        fun all(frame: Frame): List<GlAgainstTruthTerm> {
-            val points = frame.pointLights.indices.map { "point light ${it + 1}" }
-            val spots = frame.spotLights.indices.map { if (frame.spotLights.size == 1) "spotlight" else "spotlight ${it + 1}" }
-            return listOf(GlAgainstTruthTerm(-1, false, "emission")) +
-                (points + spots).flatMapIndexed { i, name ->
-                    listOf(GlAgainstTruthTerm(i, false, "$name diffuse"), GlAgainstTruthTerm(i, true, "$name specular"))
-                }
-        }
+        fun all(frame: Frame): List<GlAgainstTruthTerm> = listOf(GlAgainstTruthTerm(-1, false, "emission")) +
+            frame.lights.flatMapIndexed { i, light ->
+                val name = if (light.cone == null) "point light ${i + 1}" else "spotlight"
+                listOf(GlAgainstTruthTerm(i, false, "$name diffuse"), GlAgainstTruthTerm(i, true, "$name specular"))
+            }
     }
 }
 
 /**
  * Draws a frame with the scene's own shaders, all of it or one term of the lighting model: then the other lights are black, and so is the
  * texture of the other kind.
+ *
+ * @param lights the frame's, which send themselves.
  */
-internal class GlAgainstTruthTerms(private val frame: Frame) : AutoCloseable {
-    private val counts = mapOf("POINT_LIGHTS" to frame.pointLights.size, "SPOT_LIGHTS" to frame.spotLights.size)
-    private val program = ShaderProgram("shaders/scene.vert", "shaders/scene.frag", counts)
+internal class GlAgainstTruthTerms(
+    private val frame: Frame,
+    private val lights: List<PointLight>,
+) : AutoCloseable {
+    private val program = ShaderProgram("shaders/scene.vert", "shaders/scene.frag", mapOf("LIGHTS" to lights.size))
     private val meshes = frame.draws.map { Mesh(it.vertices, it.indices, ATTRIBUTES) }
     private val black = upload(TextureImage(ImageData(1, 1, ByteArray(4)), false))
     private val textures = frame.draws.map { draw -> draw.material.run { listOf(emissive, diffuse, specular) }.map(::upload) }
@@ -71,12 +70,9 @@ internal class GlAgainstTruthTerms(private val frame: Frame) : AutoCloseable {
         program.setUniform("ambient", if (emits) frame.ambient else BLACK)
         program.setUniform("blinnPhong", frame.specularModel == SpecularModel.BLINN_PHONG)
         program.setUniform("inverseGamma", 1f)
-        frame.pointLights.forEachIndexed { i, light -> send("pointLight[$i]", light, term == null || i == term.light) }
-        frame.spotLights.forEachIndexed { i, spot ->
-            send("spotLight[$i]", spot.light, term == null || frame.pointLights.size + i == term.light)
-            val axis = frame.view.transformDirection(spot.direction, Vector3d())
-            program.setUniform("spotLight[$i].direction", Vector3f(axis))
-            program.setUniform("spotLight[$i].cone", Vector2f(versine(spot.innerAngle), versine(spot.outerAngle)))
+        lights.forEachIndexed { i, light ->
+            light.bind(program, "light[$i]", frame.view)
+            if (term != null && term.light != i) program.setUniform("light[$i].color", BLACK)
         }
         for (draw in frame.draws.indices) draw(draw, term)
     }
@@ -105,16 +101,6 @@ internal class GlAgainstTruthTerms(private val frame: Frame) : AutoCloseable {
         meshes[number].render()
     }
 
-    private fun send(
-        name: String,
-        light: FramePointLight,
-        isOn: Boolean,
-    ) {
-        program.setUniform("$name.position", Vector3f(frame.view.transformPosition(light.position, Vector3d())))
-        program.setUniform("$name.color", if (isOn) light.color else BLACK)
-        program.setUniform("$name.attenuation", light.attenuation)
-    }
-
     private fun bind(
         unit: Int,
         name: String,
@@ -130,8 +116,6 @@ internal class GlAgainstTruthTerms(private val frame: Frame) : AutoCloseable {
 
         /** Position, texture coordinates, normal: eight floats a vertex. */
         val ATTRIBUTES = arrayOf(VertexAttribute(3, 32, 0), VertexAttribute(2, 32, 12), VertexAttribute(3, 32, 20))
-
-        fun versine(angle: Float): Float = (2.0 * sin(angle / 2.0) * sin(angle / 2.0)).toFloat()
 
         fun upload(texture: FrameTexture): Int {
             val name = upload(texture.image)

@@ -42,7 +42,7 @@ internal class GlAgainstTruthVaryings(
     private val normal = List(3) { i -> Varying(values(vertices.normal, 3, i), normalErrors[i]) }
     private val texCoord = List(2) { i -> values(vertices.texCoord, 2, i).let { Varying(it, Bounded.ULP * largest(it)) } }
     private val lights =
-        (frame.pointLights + frame.spotLights.map { it.light }).map {
+        frame.lights.map {
             val place = frame.view.transformPosition(it.position, org.joml.Vector3d())
             List(3) { i -> toLight(place, i) }
         }
@@ -58,7 +58,7 @@ internal class GlAgainstTruthVaryings(
         y: Double,
     ): BoundedVector = vector(normal, x, y)
 
-    /** From the surface to light [light]: the point lights, then the spotlights. */
+    /** From the surface to light number [light] of the frame. */
     fun toLight(
         light: Int,
         x: Double,

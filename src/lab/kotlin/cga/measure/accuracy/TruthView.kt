@@ -1,5 +1,6 @@
 package cga.measure.accuracy
 
+import cga.exercise.components.light.PointLight
 import cga.exercise.game.ScriptedScene
 import cga.exercise.game.Step
 import cga.framework.Frame
@@ -32,10 +33,13 @@ internal enum class TruthView(
             frame
         } else {
             frame.run {
-                Frame(view, projection, ambient, specularModel, gamma, pointLights, spotLights, draws.map(::withoutLevels))
+                Frame(view, projection, ambient, specularModel, gamma, lights, draws.map(::withoutLevels))
             }
         }
     }
+
+    /** The lights of [frame], as the scene has them. */
+    fun lights(step: Step): List<PointLight> = scene(step).scene.apply { frame() }.lights.shining
 
     private companion object {
         /** A moment at which no colour of the motorcycle is dark. */

@@ -2,7 +2,6 @@ package cga.measure.golden
 
 import cga.framework.Frame
 import cga.framework.FrameDraw
-import cga.framework.FramePointLight
 import cga.framework.FrameTexture
 import cga.imaging.golden.Checksum
 import org.joml.Matrix4dc
@@ -27,17 +26,11 @@ internal object SceneHash {
     private fun hex(fill: Checksum.() -> Unit): String = Checksum().apply(fill).hex()
 
     private fun Checksum.lights(frame: Frame) {
-        add(frame.pointLights.size)
-        frame.pointLights.forEach { light(it) }
-        add(frame.spotLights.size)
-        for (spot in frame.spotLights) {
-            light(spot.light)
-            add(spot.direction).add(spot.innerAngle).add(spot.outerAngle)
+        add(frame.lights.size)
+        for (light in frame.lights) {
+            add(light.position).add(light.color).add(light.attenuation)
+            light.cone?.let { add(it.direction).add(it.innerAngle).add(it.outerAngle) }
         }
-    }
-
-    private fun Checksum.light(light: FramePointLight) {
-        add(light.position).add(light.color).add(light.attenuation)
     }
 
     private fun Checksum.material(draw: FrameDraw) {

@@ -129,7 +129,7 @@ internal object FragmentPart {
         uniforms: List<SentUniform>,
     ): RecordedFrame {
         val frame =
-            recorded.frame.run { Frame(view, projection, ambient, specularModel, gamma, pointLights, spotLights, draws) }
+            recorded.frame.run { Frame(view, projection, ambient, specularModel, gamma, lights, draws) }
         return RecordedFrame(frame, recorded.constants, uniforms, recorded.parameters, recorded.picture, recorded.samples)
     }
 }

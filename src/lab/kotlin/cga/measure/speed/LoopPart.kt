@@ -68,14 +68,16 @@ internal object LoopPart {
     }
 
     private fun commands(folder: Path): Map<String, List<String>> {
+        val same = copy(folder.resolve("same"))
         val maven = copy(folder.resolve("maven"))
         val first = copy(folder.resolve("first"))
         val all = copy(folder.resolve("all"))
         val gradle = if (isOnPath("gradle")) copy(folder.resolve("gradle")) else null
         val compiler = compiler()
         return buildMap {
-            put(UNCHANGED, shell(maven, RENDER))
-            put(SHADER, shell(maven, "echo '// edited' >>shaders/scene.frag && $RENDER"))
+            // Not where the classes change: the second start after a build makes the archive of classes.
+            put(UNCHANGED, shell(same, RENDER))
+            put(SHADER, shell(same, "echo '// edited' >>shaders/scene.frag && $RENDER"))
             put(MAVEN, shell(maven, "$EDIT && $RENDER"))
             if (gradle != null) put(GRADLE, shell(gradle, "$EDIT && $RENDER", "gradle"))
             put(FIRST, shell(first, "rm -rf build target && env -u DISPLAY -u WAYLAND_DISPLAY ./cga run"))

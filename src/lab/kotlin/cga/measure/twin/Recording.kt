@@ -23,7 +23,7 @@ import kotlin.io.path.writeLines
  *     size 1280 720
  *     samples 0
  *     vertex-shader FILE              and fragment-shader
- *     constant POINT_LIGHTS 5         for the shaders' "const int" lines
+ *     constant LIGHTS 6         for the shaders' "const int" lines
  *     model FILE                      numbered from 0
  *     texture 10497 10497 9987 9729 FILE     wrap s, wrap t, min and mag filter; numbered from 0
  *     parameter heading 0x0.0p0       of the scene

@@ -41,10 +41,10 @@ public class Scene(
     // One program for each number of lights that steps have: a light that is off costs nothing, not even an interpolated vector.
     private val programs =
         Step.entries
-            .map(lights::counts)
+            .map(lights::count)
             .distinct()
             .associateWith { newProgram(VERTEX_SHADER, FRAGMENT_SHADER, it) }
-    private var program = programs.getValue(lights.counts(step))
+    private var program = programs.getValue(lights.count(step))
     public val ride: Ride = Ride()
     public val orbit: Orbit = Orbit()
     public var time: Double = 0.0
@@ -63,7 +63,7 @@ public class Scene(
             field = value
             specularModel = value.specularModel
             lights.switchTo(value)
-            program = programs.getValue(lights.counts(value))
+            program = programs.getValue(lights.count(value))
         }
 
     /** Phong or Blinn-Phong. */
@@ -167,8 +167,7 @@ public class Scene(
             ambient = Vector3f(ambient),
             specularModel = specularModel,
             gamma = gamma,
-            pointLights = lights.points.map { it.toFrameLight() },
-            spotLights = lights.spots.map { it.toFrameSpotLight() },
+            lights = lights.shining.map { it.toFrameLight() },
             draws = ground.toFrameDraws(groundTint()) + motorcycle.toFrameDraws(motorcycleTint),
         )
     }

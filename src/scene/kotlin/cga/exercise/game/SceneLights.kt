@@ -29,15 +29,12 @@ public class SceneLights(motorcycle: Transformable) {
     private val attenuated = (cornerLights + pointLight + spotLight).associateWith { Vector3f(it.attenuation) }
     // end of solution
 
-    /** The point lights that shine, and the spotlights; changed by [switchTo]. */
-    public var points: List<PointLight> = emptyList()
-        private set
-    public var spots: List<SpotLight> = emptyList()
+    /** The lights that shine, in the shaders' order; changed by [switchTo]. */
+    public var shining: List<PointLight> = emptyList()
         private set
 
     public fun switchTo(step: Step) {
-        points = points(step)
-        spots = spots(step)
+        shining = lights(step)
         // solution 4.3.4: no attenuation, which is (1, 0, 0), before its step
         for ((light, k) in attenuated) light.attenuation = if (step.attenuation) k else CONSTANT
         // end of solution
@@ -50,30 +47,27 @@ public class SceneLights(motorcycle: Transformable) {
         // end of solution
     }
 
-    /** How many lights shine at [step], by the names of the shaders' constants. */
-    public fun counts(step: Step): Map<String, Int> = mapOf("POINT_LIGHTS" to points(step).size, "SPOT_LIGHTS" to spots(step).size)
+    /** How many lights shine at [step], by the name of the shaders' constant. */
+    public fun count(step: Step): Map<String, Int> = mapOf("LIGHTS" to lights(step).size)
 
     /** Sends the lights that shine to the program in use. */
     public fun bind(
         shaderProgram: ShaderProgram,
         view: Matrix4dc,
     ) {
-        // solution 4.2.2: bind the point lights, by their names
-        // solution 4.3.2: bind the spotlights, by theirs
-        for (i in points.indices) points[i].bind(shaderProgram, POINT_NAMES[i], view)
-        for (i in spots.indices) spots[i].bind(shaderProgram, SPOT_NAMES[i], view)
+        // solution 4.2.2: bind the lights, by their names
+        for (i in shining.indices) shining[i].bind(shaderProgram, NAMES[i], view)
         // end of solution
     }
 
-    // solution 4.2.2: the point lights that shine at this step; 4.6: with the further ones
-    // instead: private fun points(step: Step): List<PointLight> = emptyList()
-    private fun points(step: Step): List<PointLight> =
-        listOfNotNull(pointLight.takeIf { step.pointLight }) + if (step.cornerLights) cornerLights else emptyList()
-    // end of solution
-
-    // solution 4.3.2: the spotlights that shine at this step
-    // instead: private fun spots(step: Step): List<SpotLight> = emptyList()
-    private fun spots(step: Step): List<SpotLight> = listOfNotNull(spotLight.takeIf { step.spotLight })
+    // solution 4.2.2: the lights that shine at this step: the point light; 4.3.2: and the spotlight; 4.6: and the further ones
+    // instead: private fun lights(step: Step): List<PointLight> = emptyList()
+    private fun lights(step: Step): List<PointLight> =
+        buildList {
+            if (step.pointLight) add(pointLight)
+            if (step.cornerLights) addAll(cornerLights)
+            if (step.spotLight) add(spotLight)
+        }
     // end of solution
 
     private companion object {
@@ -85,8 +79,7 @@ public class SceneLights(motorcycle: Transformable) {
         val CONSTANT: Vector3fc = Vector3f(1f, 0f, 0f)
 
         // As many as a driver surely has varyings for.
-        val POINT_NAMES = Array(8) { "pointLight[$it]" }
-        val SPOT_NAMES = Array(2) { "spotLight[$it]" }
+        val NAMES = Array(10) { "light[$it]" }
 
         fun radians(degrees: Float): Float = Math.toRadians(degrees.toDouble()).toFloat()
 

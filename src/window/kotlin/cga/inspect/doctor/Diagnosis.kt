@@ -1,7 +1,5 @@
 package cga.inspect.doctor
 
-import cga.framework.Frame
-import cga.framework.FramePointLight
 import cga.framework.model.MeshData
 import org.joml.Matrix4d
 import org.joml.Vector3d
@@ -47,7 +45,7 @@ internal object Diagnosis {
                 Finding("No light shines at this step: only emission is seen.", "Choose step 4.2 or a later one (key 2)."),
             )
         }
-        val colors = lights(evidence.frame).map { it.second.color }
+        val colors = evidence.frame.lights.map { it.color }
         return finding(
             colors.all { it.x() == 0f && it.y() == 0f && it.z() == 0f },
             "Every light is black: its colour is (0, 0, 0).",
@@ -113,9 +111,9 @@ internal object Diagnosis {
 
     private fun lightInGround(evidence: Evidence): List<Finding> {
         val around = Surroundings(evidence.frame)
-        return lights(evidence.frame).filter { around.isUnderGround(it.second.position) }.map { (name, light) ->
+        return evidence.frame.lights.withIndex().filter { around.isUnderGround(it.value.position) }.map { (i, light) ->
             val place = "(%.2f, %.2f, %.2f)".format(java.util.Locale.ROOT, light.position.x(), light.position.y(), light.position.z())
-            Finding("$name is in or under the ground, at $place.", "Move it up: what faces away from a light stays dark.")
+            Finding("light[$i] is in or under the ground, at $place.", "Move it up: what faces away from a light stays dark.")
         }
     }
 
@@ -141,10 +139,6 @@ internal object Diagnosis {
                     "Bind the texture to that unit before the draw, and set its filter to what it has.",
                 )
             }
-
-    private fun lights(frame: Frame): List<Pair<String, FramePointLight>> =
-        frame.pointLights.mapIndexed { i, light -> "pointLight[$i]" to light } +
-            frame.spotLights.mapIndexed { i, light -> "spotLight[$i]" to light.light }
 
     private fun several(names: List<String>) = names.firstOrNull().orEmpty() + if (names.size > 1) " and ${names.size - 1} more" else ""
 

@@ -58,7 +58,7 @@ internal class Evidence(
     /** Pixels that are not numbers. */
     val notFinite: Int get() = (picture.rgba.indices step 4).count { i -> (0..2).any { !picture.rgba[i + it].isFinite() } }
 
-    val hasLights: Boolean get() = frame.pointLights.isNotEmpty() || frame.spotLights.isNotEmpty()
+    val hasLights: Boolean get() = frame.lights.isNotEmpty()
 
     // NaN is shown as black.
     private fun channels(image: FloatImage) =

@@ -45,9 +45,8 @@ internal class ProbeText(probed: Probed) {
     private fun lights(probed: Probed): List<Pair<String, List<Line>>> {
         val point = probed.point ?: return emptyList()
         val isBlinnPhong = probed.frame.specularModel == SpecularModel.BLINN_PHONG
-        val spots = probed.frame.pointLights.size
         return point.lights.mapIndexed { i, light ->
-            (if (i < spots) "pointLight[$i]" else "spotLight[${i - spots}]") to
+            "light[$i]" to
                 listOf(
                     Line("d", number(light.distance, 4)),
                     Line("F", number(light.attenuation, 6)),

@@ -2,17 +2,21 @@ package cga.inspect.tune
 
 import cga.exercise.components.geometry.Renderable
 import cga.exercise.components.light.PointLight
-import cga.exercise.components.light.SpotLight
 import cga.exercise.game.Scene
 import cga.exercise.game.Step
+import cga.inspect.knob.Knob
+import cga.inspect.knob.KnobGroup
+import cga.inspect.light.InspectedLight
 import org.joml.Vector3f
 
-/** One light of the scene and its knobs. */
+/** One light of the scene, by its name among all, and its knobs. */
 internal class TunedLight(
     val name: String,
-    val light: PointLight,
-    val groups: List<KnobGroup>,
-)
+    val inspected: InspectedLight,
+) {
+    val light: PointLight get() = inspected.light
+    val groups: List<KnobGroup> = inspected.groups()
+}
 
 /**
  * Every number of the [scene] that the panel turns: it changes the scene itself, so whatever asks the scene sees it.
@@ -25,10 +29,14 @@ internal class Tuning(
     private val turned: (String, Float) -> Unit = { _, _ -> },
     private val wasReset: () -> Unit = {},
 ) {
-    private val all = named(everyLight()).map { (name, light) -> TunedLight(name, light, knobsOf(light).groups()) }
+    private val all = named(everyLight().map { InspectedLight.of(it, scene) })
 
-    /** The lights that shine at the scene's step, the point lights first. */
+    /** The lights that shine at the scene's step, in its order. */
     var lights: List<TunedLight> = emptyList()
+        private set
+
+    /** The same, for their gizmos. */
+    var inspected: List<InspectedLight> = emptyList()
         private set
 
     /** L_a and gamma. */
@@ -62,9 +70,9 @@ internal class Tuning(
 
     /** A step has its own attenuations, which are what [reset] goes back to from now on. */
     fun stepChanged() {
-        val shining = scene.lights.points + scene.lights.spots
-        lights = all.filter { it.light in shining }
-        for (light in lights) light.groups.first { it.title == LightKnobs.ATTENUATION }.knobs.forEach(Knob::remember)
+        lights = scene.lights.shining.map { light -> all.first { it.light === light } }
+        inspected = lights.map { it.inspected }
+        for (light in lights) light.groups.first { it.title == InspectedLight.ATTENUATION }.knobs.forEach(Knob::remember)
     }
 
     /** Everything as it was at the start. */
@@ -78,40 +86,21 @@ internal class Tuning(
     /** The values as Kotlin code, for the scene's own files. */
     fun toKotlin(): String = KotlinCode.of(scene, lights)
 
-    /** Those of all steps, the point lights first. */
-    private fun everyLight(): List<PointLight> {
-        val points = LinkedHashSet<PointLight>()
-        val spots = LinkedHashSet<PointLight>()
+    /** Those of all steps. */
+    private fun everyLight(): Set<PointLight> {
+        val lights = LinkedHashSet<PointLight>()
         for (step in Step.entries) {
             scene.lights.switchTo(step)
-            points += scene.lights.points
-            spots += scene.lights.spots
+            lights += scene.lights.shining
         }
         scene.lights.switchTo(scene.step)
-        return (points + spots).toList()
+        return lights
     }
 
-    private fun named(lights: List<PointLight>): List<Pair<String, PointLight>> {
-        val corners = lights.filter { it.parent == null }
-        return lights.map { light ->
-            when {
-                light in corners -> "cornerLight${corners.indexOf(light) + 1}"
-                light is SpotLight -> "spotLight"
-                else -> "pointLight"
-            } to light
-        }
+    private fun named(lights: List<InspectedLight>): List<TunedLight> {
+        val corners = lights.filter { it.light.parent == null }
+        return lights.map { TunedLight(if (it in corners) "cornerLight${corners.indexOf(it) + 1}" else it.kind, it) }
     }
-
-    // The motorcycle's own light has the motorcycle's colour: with one goes the other.
-    private fun knobsOf(light: PointLight) =
-        if (light.parent == null || light is SpotLight) {
-            LightKnobs(light)
-        } else {
-            LightKnobs(light) { color ->
-                light.lightColor = color
-                scene.motorcycleColor = Vector3f(color)
-            }
-        }
 
     private fun ambient() =
         listOf("L_a red", "L_a green", "L_a blue").mapIndexed { i, name ->

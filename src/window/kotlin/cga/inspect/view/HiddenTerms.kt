@@ -1,14 +1,7 @@
 package cga.inspect.view
 
-/**
- * Which of the scene's uniforms have to be black, so that of all terms and lights the shader shows those that [look] wants.
- *
- * @param pointLights how many there are: the spotlights are counted after them.
- */
-internal class HiddenTerms(
-    private val look: Look,
-    private val pointLights: Int,
-) {
+/** Which of the scene's uniforms have to be black, so that of all terms and lights the shader shows those that [look] wants. */
+internal class HiddenTerms(private val look: Look) {
     /** Whether there is a texture that [isTexture]. */
     val isAnyTexture: Boolean get() = look.view == View.DIFFUSE || look.view == View.SPECULAR
 
@@ -31,13 +24,12 @@ internal class HiddenTerms(
 
     /** The number of the light whose colour the uniform [name] is. */
     private fun light(name: String): Int {
-        val isPoint = name.startsWith("pointLight[")
-        if (!(isPoint || name.startsWith("spotLight[")) || !name.endsWith("].color")) return NO_LIGHT
-        val first = if (isPoint) 0 else pointLights
-        return (first + (name[name.indexOf('[') + 1] - '0')).coerceAtMost(Look.MAX_LIGHTS - 1)
+        if (!name.startsWith(LIGHT) || !name.endsWith("].color")) return NO_LIGHT
+        return (name[LIGHT.length] - '0').coerceAtMost(Look.MAX_LIGHTS - 1)
     }
 
     private companion object {
         const val NO_LIGHT = -1
+        const val LIGHT = "light["
     }
 }

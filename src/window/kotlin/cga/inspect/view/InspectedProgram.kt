@@ -24,7 +24,7 @@ internal open class InspectedProgram(
     private val look: Look,
     private val traffic: Traffic,
 ) : ShaderProgram(vertexPath, fragmentPath, constants) {
-    private val hidden = HiddenTerms(look, constants["POINT_LIGHTS"] ?: 0)
+    private val hidden = HiddenTerms(look)
     private val factors = FactorProgram(vertexPath, constants)
     private val black = Texture2D(ImageData.ofColor(0f, 0f, 0f), false)
 
@@ -40,7 +40,7 @@ internal open class InspectedProgram(
         } else {
             factors.use()
             factors.setUniform("factor", factor)
-            factors.setUniform("light", look.light)
+            factors.setUniform("chosen", look.light)
         }
     }
 

@@ -6,7 +6,7 @@ import cga.framework.SpecularModel
 internal class Look {
     var view: View = View.FULL
 
-    /** The light that a view of one light speaks of: the point lights first, then the spotlights. */
+    /** Number of the light that a view of one light speaks of. */
     var light: Int = 0
 
     /** Whether Phong is shown on the left and Blinn-Phong on the right of the divider. */

@@ -58,6 +58,9 @@ class CaptureFileTest {
         assertEquals(Moment.TIME_1 to 0.7, read.frames[1].moment to read.frames[1].time)
         assertEquals(Triple(EventKind.UNIFORM_ABSENT, 0, "früh"), read.events[0].let { Triple(it.kind, it.frame, it.text) })
         assertEquals(mapOf("position" to 1) to mapOf("color" to 1), read.programs[0].let { it.attributes to it.outputs })
+        assertEquals(listOf("light/Lamp.kt:3", "game/Scene.kt:8"), read.chain(draw.uniforms[0].caller))
+        assertEquals(listOf(0, 1, 0), draw.callers.run { listOf(this.draw, program, textures[3]) })
+        assertEquals(emptyList<String>(), read.chain(draw.uniforms[1].caller))
         // Whatever the lines above do not name must be there too, or the second file would be another.
         assertArrayEquals(written(), written(read))
     }
@@ -142,7 +145,7 @@ class CaptureFileTest {
 
     private fun deflated(payload: ByteArray): ByteArray {
         val out = ByteArrayOutputStream()
-        DataOutputStream(out).writeLong(0x4347414341500001L)
+        DataOutputStream(out).writeLong(0x4347414341500002L)
         DeflaterOutputStream(out).use { it.write(payload) }
         return out.toByteArray()
     }
@@ -208,6 +211,13 @@ class CaptureFileTest {
                     "the number of uniforms is 16385",
                     draw(s.draw(uniforms = List(16_385) { UniformValue("$it", GL_FLOAT, floatArrayOf(0f)) })),
                 ),
+                arrayOf("caller 2 is not there", draw(s.draw(callers = DrawCallers(2, 0, emptyMap())))),
+                arrayOf("caller 2 is not there", draw(s.draw(callers = DrawCallers(0, 0, mapOf(1 to 2))))),
+                arrayOf("caller 2 is not there", draw(s.draw(uniforms = listOf(UniformValue("u", GL_FLOAT, floatArrayOf(0f), 2))))),
+                arrayOf("a caller is 4096", draw(s.draw(callers = DrawCallers(4096, 0, emptyMap())))),
+                arrayOf("the number of calls is 9", s.capture(callers = List(2) { List(9) { "a.kt:1" } })),
+                arrayOf("a call has 201 characters", s.capture(callers = List(2) { listOf("x".repeat(201)) })),
+                arrayOf("the number of chains of calls is 4097", s.capture(callers = List(4097) { listOf("a.kt:1") })),
                 arrayOf("the number of steps is 16385", s.capture(List(16_385) { s.clear() })),
             )
         }

@@ -55,7 +55,7 @@ internal object SampleCapture {
 
     val uniforms: List<UniformValue> =
         listOf(
-            UniformValue("lights[1].color", GL_FLOAT_VEC3, floatArrayOf(1f, 2f, Float.NaN)),
+            UniformValue("lights[1].color", GL_FLOAT_VEC3, floatArrayOf(1f, 2f, Float.NaN), 1),
             UniformValue("map", GL_SAMPLER_2D, floatArrayOf(3f)),
         )
 
@@ -71,7 +71,8 @@ internal object SampleCapture {
         uniforms: List<UniformValue> = SampleCapture.uniforms,
         textures: Map<Int, Int> = mapOf(3 to 0),
         state: DrawState = SampleCapture.state,
-    ) = CapturedDraw(program, mode, count, attributes, indices, indexType, first, baseVertex, 1, uniforms, textures, state)
+        callers: DrawCallers = DrawCallers(0, 1, mapOf(3 to 0)),
+    ) = CapturedDraw(program, mode, count, attributes, indices, indexType, first, baseVertex, 1, uniforms, textures, state, callers)
 
     fun clear(
         mask: Int = GL_COLOR_BUFFER_BIT or GL_DEPTH_BUFFER_BIT,
@@ -83,16 +84,19 @@ internal object SampleCapture {
         steps: List<CapturedStep> = listOf(clear(), draw(), clear(writes = limited)),
         textures: List<CapturedTexture> = listOf(texture(), cube()),
         picture: ByteArray? = ByteArray(4 * WIDTH * HEIGHT) { it.toByte() },
-        events: List<CapturedEvent> = listOf(CapturedEvent(EventKind.UNIFORM_ABSENT, 0, "früh")),
+        events: List<CapturedEvent> = listOf(CapturedEvent(EventKind.UNIFORM_ABSENT, 0, "früh", 1)),
         width: Int = WIDTH,
+        callers: List<List<String>> = listOf(listOf("game/Scene.kt:7"), listOf("light/Lamp.kt:3", "game/Scene.kt:8")),
     ) = Capture(
         width = width,
         height = HEIGHT,
         samples = 4,
-        programs = listOf(CapturedProgram("vertex", "fragment", mapOf("position" to 1), mapOf("color" to 1), substituted = true)),
+        programs =
+            listOf(CapturedProgram("vertex", "fragment", mapOf("position" to 1), mapOf("color" to 1), substituted = true, "assets/a.glsl")),
         buffers = listOf(vertices, indices),
         textures = textures,
         frames = listOf(CapturedFrame(Moment.FIRST, 0.0, steps, picture), CapturedFrame(Moment.TIME_1, 0.7, emptyList(), null)),
         events = events,
+        callers = callers,
     )
 }

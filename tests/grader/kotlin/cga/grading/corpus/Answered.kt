@@ -63,12 +63,12 @@ internal class Answered(
             val costs = grade.checks.filter { check -> check.points.let { it == null || it < check.maximum } }.map { it.check.id }
             val details =
                 grade.checks.map {
-                    "${it.check.id} ${it.state} ${it.points}/${it.maximum} error ${it.error} cause ${it.cause}: ${it.text}"
+                    "${it.check.id} ${it.state} ${it.points}/${it.maximum} error ${it.error} cause ${it.cause}: ${it.message}"
                 } +
                     findings.mistakes.map {
                         "${it.mistake} fit ${it.fit} difference ${it.difference} at ${it.where} or ${it.alternatives}"
                     } +
-                    findings.notes
+                    findings.notes.map { "$it" }
             return Answered(submission, findings.mistakes.map { it.mistake }, costs, grade.points, details)
         }
     }

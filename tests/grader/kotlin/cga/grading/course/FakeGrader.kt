@@ -7,6 +7,7 @@ import cga.grading.findings.Findings
 import cga.grading.findings.Found
 import cga.grading.findings.Graded
 import cga.grading.findings.Measured
+import cga.grading.findings.Message
 import cga.grading.findings.Mistake
 import cga.grading.findings.Outcome
 import cga.grading.findings.Refused
@@ -50,7 +51,7 @@ internal class FakeGrader(
             "litters" -> Graded(right).also { folder.resolve("litter.exe").writeText("") }
             "link" -> {
                 folder.resolve("measured.png").createSymbolicLinkPointingTo(Path.of("/etc/passwd"))
-                Graded(Findings(checks, emptyList(), emptyList(), listOf(Evidence(null, "", "measured.png", null)), emptyList()))
+                Graded(Findings(checks, emptyList(), emptyList(), listOf(Evidence(null, Message.NONE, "measured.png", null)), emptyList()))
             }
             else -> error("unknown: $what")
         }

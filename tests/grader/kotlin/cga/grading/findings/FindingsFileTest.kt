@@ -33,8 +33,11 @@ class FindingsFileTest {
                 Found(Mistake.MOUSE_JUMP, 0.0, 0.1, ""),
             ),
             listOf(Plot(Check.CONE, "t", "x", "y", doubleArrayOf(0.0, 1e-300), doubleArrayOf(1.0, 0.1), doubleArrayOf(-1.0, 0.3))),
-            listOf(Evidence(Check.CONE, "p", "a.png", "b-2.png"), Evidence(null, "", "a.png", null)),
-            listOf("note"),
+            listOf(Evidence(Check.CONE, Message.plain("p"), "a.png", "b-2.png"), Evidence(null, Message.NONE, "a.png", null)),
+            listOf(
+                Message.plain("note"),
+                Message.of("k", 0.5, "name", listOf(1.0, 2.0), Message.of("inner", emptyList<Any>()), Double.NaN),
+            ),
         )
 
     private fun pictures() = listOf("a.png", "b-2.png").forEach { folder.resolve(it).writeBytes(byteArrayOf(1)) }
@@ -53,6 +56,7 @@ class FindingsFileTest {
         assertEquals(listOf(setOf(Check.CONE_SPECULAR, Check.SPOT_LIGHT), emptySet(), null), read.mistakes.map { it.explains })
         assertEquals(1e-300, read.plots[0].x[1])
         assertEquals(listOf("b-2.png", null), read.pictures.map { it.expected })
+        assertEquals(listOf(0.5, "name", listOf(1.0, 2.0), Message.of("inner", ""), "NaN"), read.notes[1].arguments)
     }
 
     @Test
@@ -77,18 +81,18 @@ class FindingsFileTest {
     @ValueSource(
         strings = [
             "", "[]", "{", "{\"checks\": []}", "{\"more\": 1}", "{\"checks\": 5}",
-            "{\"checks\": [{\"check\": \"4.9\", \"text\": \"\"}]}",
-            "{\"checks\": [{\"check\": \"4.2.light\", \"text\": \"\"}, {\"check\": \"4.2.light\", \"text\": \"\"}]}",
-            "{\"checks\": [{\"check\": \"4.2.light\", \"error\": 1e999, \"text\": \"\"}]}",
-            "{\"checks\": [{\"check\": \"4.2.light\", \"error\": \"NaN\", \"text\": \"\"}]}",
-            "{\"checks\": [{\"check\": \"4.2.light\", \"error\": -1, \"text\": \"\"}]}",
+            "{\"checks\": [{\"check\": \"4.9\", \"said\": {\"key\": \"k\"}}]}",
+            "{\"checks\": [{\"check\": \"4.2.light\", \"said\": {\"key\": \"k\"}}, {\"check\": \"4.2.light\", \"said\": {\"key\": \"k\"}}]}",
+            "{\"checks\": [{\"check\": \"4.2.light\", \"error\": 1e999, \"said\": {\"key\": \"k\"}}]}",
+            "{\"checks\": [{\"check\": \"4.2.light\", \"error\": \"NaN\", \"said\": {\"key\": \"k\"}}]}",
+            "{\"checks\": [{\"check\": \"4.2.light\", \"error\": -1, \"said\": {\"key\": \"k\"}}]}",
             "{\"mistakes\": [{\"mistake\": \"no-such\", \"fit\": 0, \"difference\": 0, \"where\": \"\"}]}",
             "{\"plots\": [{\"check\": \"4.3.cone\", \"title\": \"\", \"xLabel\": \"\", \"yLabel\": \"\", \"x\": [1], \"measured\": [1, 2], \"expected\": [1]}]}",
-            "{\"pictures\": [{\"title\": \"\", \"measured\": \"../a.png\"}]}",
-            "{\"pictures\": [{\"title\": \"\", \"measured\": \"/etc/passwd\"}]}",
-            "{\"pictures\": [{\"title\": \"\", \"measured\": \".hidden.png\"}]}",
-            "{\"pictures\": [{\"title\": \"\", \"measured\": \"a.png\\u0000.png\"}]}",
-            "{\"pictures\": [{\"title\": \"\", \"measured\": \"gone.png\"}]}",
+            "{\"pictures\": [{\"title\": {\"key\": \"k\"}, \"measured\": \"../a.png\"}]}",
+            "{\"pictures\": [{\"title\": {\"key\": \"k\"}, \"measured\": \"/etc/passwd\"}]}",
+            "{\"pictures\": [{\"title\": {\"key\": \"k\"}, \"measured\": \".hidden.png\"}]}",
+            "{\"pictures\": [{\"title\": {\"key\": \"k\"}, \"measured\": \"a.png\\u0000.png\"}]}",
+            "{\"pictures\": [{\"title\": {\"key\": \"k\"}, \"measured\": \"gone.png\"}]}",
         ],
     )
     fun `what is no findings is refused in one message that names the file`(text: String) {
@@ -100,11 +104,24 @@ class FindingsFileTest {
 
     @Test
     fun `more than the limits is refused`() {
-        file.writeText("{\"notes\": [${List(201) { "\"n\"" }.joinToString()}]}")
-        assertThrows<InputError> { FindingsFile.read(folder) }
-        file.writeText("{\"notes\": [\"${"n".repeat(4001)}\"]}")
-        assertThrows<InputError> { FindingsFile.read(folder) }
-        file.writeText("{\"notes\": [\"${"n".repeat(9 shl 20)}\"]}")
+        fun said(text: String) = "{\"key\": \"plain\", \"with\": [$text]}"
+
+        fun name(text: String) = "{\"name\": \"$text\"}"
+        file.writeText("{\"notes\": [${said(name("n"))}]}")
+        assertEquals(listOf(Message.plain("n")), FindingsFile.read(folder).notes)
+        val tooMuch =
+            listOf(
+                List(201) { said(name("n")) }.joinToString(),
+                said(name("n".repeat(4001))),
+                said(List(201) { name("n") }.joinToString()),
+                said("{\"list\": [${List(201) { name("n") }.joinToString()}]}"),
+                said(name("n".repeat(9 shl 20))),
+            )
+        for (notes in tooMuch) {
+            file.writeText("{\"notes\": [$notes]}")
+            assertThrows<InputError> { FindingsFile.read(folder) }
+        }
+        file.writeText("{\"notes\": [\"n\"]}")
         assertThrows<InputError> { FindingsFile.read(folder) }
         file.writeText("[".repeat(1_000_000))
         assertThrows<InputError> { FindingsFile.read(folder) }

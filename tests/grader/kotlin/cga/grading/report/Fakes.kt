@@ -10,6 +10,7 @@ import cga.grading.findings.Found
 import cga.grading.findings.Graded
 import cga.grading.findings.LogExcerpt
 import cga.grading.findings.Measured
+import cga.grading.findings.Message
 import cga.grading.findings.Mistake
 import cga.grading.findings.Outcome
 import cga.grading.findings.Plot
@@ -64,9 +65,15 @@ internal object Fakes {
                 Found(Mistake.PHONG_LEFT, 0.004, 0.08, "shaders/tron_frag.glsl", listOf(Mistake.HALF_VECTOR_NOT_NORMALIZED)),
                 Found(Mistake.MORE_LIGHTS_MISSING, 0.0, 0.2, ""),
             )
-        val cone = Evidence(Check.CONE, "Spotlight alone, first frame", "spot-measured.png", "spot-expected.png")
+        val cone = Evidence(Check.CONE, Message.plain("Spotlight alone, first frame"), "spot-measured.png", "spot-expected.png")
         return Graded(
-            Findings(checks, mistakes, plots(1.6), evidence() + cone, listOf("assets/textures/sky.png was missing; a stand-in was given.")),
+            Findings(
+                checks,
+                mistakes,
+                plots(1.6),
+                evidence() + cone,
+                listOf(Message.plain("assets/textures/sky.png was missing; a stand-in was given.")),
+            ),
             facts,
         )
     }
@@ -76,8 +83,13 @@ internal object Fakes {
         pictures(folder, "step-4.2", "step-4.7")
         val checks = Check.entries.map { Measured(it, 0.5, HOSTILE) }
         val curve = Plot(Check.CONE, HOSTILE, HOSTILE, HOSTILE, doubleArrayOf(0.0, 1.0), doubleArrayOf(1.0, 1.0), doubleArrayOf(0.0, 1e300))
-        val pictures = listOf(Evidence(null, HOSTILE, "measured.png", "expected.png"), Evidence(Check.CONE, HOSTILE, "gone.png", null))
-        val findings = Findings(checks, listOf(Found(Mistake.UNKNOWN, 0.3, 0.3, HOSTILE)), listOf(curve), pictures, listOf(HOSTILE))
+        val pictures =
+            listOf(
+                Evidence(null, Message.plain(HOSTILE), "measured.png", "expected.png"),
+                Evidence(Check.CONE, Message.plain(HOSTILE), "gone.png", null),
+            )
+        val findings =
+            Findings(checks, listOf(Found(Mistake.UNKNOWN, 0.3, 0.3, HOSTILE)), listOf(curve), pictures, listOf(Message.plain(HOSTILE)))
         val logs = listOf(LogExcerpt(HOSTILE, HOSTILE.repeat(2000)))
         return Graded(findings, RunFacts(HOSTILE, HOSTILE, HOSTILE, mapOf(HOSTILE to 1.0), 1, logs))
     }
@@ -113,11 +125,11 @@ internal object Fakes {
 
     private fun evidence() =
         listOf(
-            Evidence(null, "Fourth moment, 4.9 s", "measured.png", "expected.png"),
-            Evidence(Check.POINT_LIGHT, "Point light alone (pointLight)", "point-measured.png", "point-expected.png"),
+            Evidence(null, Message.plain("Fourth moment, 4.9 s"), "measured.png", "expected.png"),
+            Evidence(Check.POINT_LIGHT, Message.plain("Point light alone (pointLight)"), "point-measured.png", "point-expected.png"),
             Evidence(
                 Check.MORE_LIGHTS_SHADING,
-                "Corner lights alone (corners[0] to corners[3])",
+                Message.plain("Corner lights alone (corners[0] to corners[3])"),
                 "corner-measured.png",
                 "corner-expected.png",
             ),

@@ -2,8 +2,10 @@ package cga.grading.report
 
 import cga.grading.findings.Check
 import cga.grading.findings.FailureReason
+import cga.grading.findings.Message
 import cga.grading.findings.Mistake
 import cga.grading.rubric.CheckState
+import cga.testing.projectRoot
 import org.junit.jupiter.api.Assertions.assertEquals
 import org.junit.jupiter.api.Assertions.assertFalse
 import org.junit.jupiter.api.Assertions.assertTrue
@@ -38,8 +40,11 @@ class MessagesTest {
     fun `all languages have the same keys with the same places to fill in`() {
         fun places(language: Language) =
             Properties()
-                .apply { Messages::class.java.getResourceAsStream("messages_${language.code}.properties")!!.reader().use(::load) }
-                .map { (key, value) -> "$key ${Regex("""\{\d}""").findAll("$value").map { it.value }.sorted().toList()}" }
+                .apply {
+                    for (file in listOf("messages", "said")) {
+                        Messages::class.java.getResourceAsStream("${file}_${language.code}.properties")!!.reader().use(::load)
+                    }
+                }.map { (key, value) -> "$key ${Regex("""\{\d[%°]?}""").findAll("$value").map { it.value }.sorted().toList()}" }
                 .sorted()
         assertEquals(places(Language.ENGLISH), places(Language.GERMAN))
     }
@@ -54,6 +59,37 @@ class MessagesTest {
                 it.substringBeforeLast('.') !in ids
         }
         assertEquals(emptyList<String>(), strays)
+    }
+
+    @Test
+    fun `whatever the program says by a key has words, and no words are left that nothing says`() {
+        val sources = projectRoot.resolve("src/grader/kotlin").walk().filter { it.extension == "kt" }.map { it.readText() }
+        val said = sources.flatMap { Regex("""Message\s*\.of\(\s*"([^"$]+)"""").findAll(it).map { key -> key.groupValues[1] } }.toSet()
+        val known = Properties().apply { Messages::class.java.getResourceAsStream("said_en.properties")!!.reader().use(::load) }
+        assertEquals(said.sorted(), known.keys.map { "$it" }.sorted())
+    }
+
+    @Test
+    fun `a message is said with names as they are, and numbers as the language writes them`() {
+        val (english, german) = languages.getValue(Language.ENGLISH) to languages.getValue(Language.GERMAN)
+        val scene = Message.of("picture.scene", 4.9000001)
+        assertEquals("The scene after 4.9 s" to "Die Szene nach 4,9 s", english.say(scene) to german.say(scene))
+        val light = Message.of("picture.light", Message.plain("spot {0}"))
+        assertEquals("Light spot {0}", english.say(light))
+        assertEquals("Licht (1; 0,5; 1,00e-05)", german.say(Message.of("picture.light", listOf(1, 0.5f, 1e-5))))
+        assertEquals("Light a, b", english.say(Message.of("picture.light", listOf("a", "b"))))
+        assertEquals(
+            "Light a The scene after NaN s",
+            english.say(Message.sentences(listOf(Message.of("picture.light", "a"), Message.NONE, Message.of("picture.scene", Double.NaN)))),
+        )
+    }
+
+    @Test
+    fun `a message that nobody knows, or that lacks its arguments, is shown as it is`() {
+        val english = languages.getValue(Language.ENGLISH)
+        assertEquals("no.such.key a (1)", english.say(Message.of("no.such.key", "a", Message.plain("(1)"))))
+        assertEquals("Light {0}", english.say(Message.of("picture.light")))
+        assertEquals("", english.say(Message("plain")))
     }
 
     @ParameterizedTest

@@ -10,10 +10,13 @@ import org.junit.jupiter.api.Test
 import java.io.File
 import java.nio.file.Path
 import java.nio.file.attribute.FileTime
+import java.util.jar.JarEntry
+import java.util.jar.JarOutputStream
 import kotlin.io.path.createTempDirectory
 import kotlin.io.path.getLastModifiedTime
 import kotlin.io.path.listDirectoryEntries
 import kotlin.io.path.name
+import kotlin.io.path.outputStream
 import kotlin.io.path.readLines
 import kotlin.io.path.readText
 import kotlin.io.path.setLastModifiedTime
@@ -32,10 +35,10 @@ class ClassArchiveTest {
     private fun archive() = ClassArchive.of(folder, "worker", libraries, WorkerFiles.FLAGS, listOf("org/joml/"), listOf { listOf(MAIN) })
 
     /** Where the JVM of a worker that cannot start anything takes its classes from. */
-    private fun sources(archive: ClassArchive): List<String> {
+    private fun sources(archive: ClassArchive, classPath: List<Path> = libraries): List<String> {
         val log = folder.resolve("loaded")
         val java = "${Path.of(System.getProperty("java.home"), "bin", "java")}"
-        val path = libraries.joinToString(File.pathSeparator)
+        val path = classPath.joinToString(File.pathSeparator)
         val command = listOf(java) + WorkerFiles.FLAGS + archive.options + listOf("-Xlog:class+load:file=$log", "-cp", path, MAIN)
         ProcessBuilder(command).redirectErrorStream(true).redirectOutput(folder.resolve("said").toFile()).start().waitFor()
         return log.readLines().filter { " $MAIN source:" in it }
@@ -58,6 +61,15 @@ class ClassArchiveTest {
         assertNotEquals(first.file, second.file)
         assertEquals(listOf(second.file?.name), folder.listDirectoryEntries("*.jsa").map { it.name })
         assertTrue("worker.jar" in sources(first).single()) { "${sources(first)}" }
+    }
+
+    @Test
+    fun `a class whose name has blanks, as those of tests, is left out`() {
+        val tests = folder.resolve("tests.jar")
+        JarOutputStream(tests.outputStream()).use { it.putNextEntry(JarEntry("org/joml/a name with blanks.class")) }
+        val path = libraries + listOf(tests)
+        val archive = ClassArchive.of(folder, "tests", path, WorkerFiles.FLAGS, listOf("org/joml/"), listOf { listOf(MAIN) })
+        assertTrue(sources(archive, path).single().endsWith("shared objects file")) { "${sources(archive, path)}" }
     }
 
     @Test

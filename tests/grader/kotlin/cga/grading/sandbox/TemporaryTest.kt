@@ -21,11 +21,12 @@ class TemporaryTest {
     /** A process that has made a temporary folder, and waits. */
     private fun start(): Process {
         val command = CgaProcess.command("cga.grading.sandbox.TemporaryTestKt", emptyList(), projectRoot.toPath())
-        val process = ProcessBuilder(listOf(command.first(), "-Djava.io.tmpdir=$folder") + command.drop(1))
-            .redirectError(ProcessBuilder.Redirect.INHERIT).start()
+        val process = ProcessBuilder(listOf(command.first(), "-Djava.io.tmpdir=$folder") + command.drop(1)).inheritErrors().start()
         assertTrue(Path.of(process.inputReader().readLine()).exists())
         return process
     }
+
+    private fun ProcessBuilder.inheritErrors() = redirectError(ProcessBuilder.Redirect.INHERIT)
 
     private fun left() = folder.listDirectoryEntries("cga-grader-*")
 

@@ -42,7 +42,7 @@ class OwnShadersTest {
             val frame = study.observe(capture.frames[0]) ?: error("nothing was observed")
             assertEquals(points + 1, frame.lights.size)
             for (i in 0 until points) {
-                val light = frame.lights.single { it.name == "pointLight[$i].color" }
+                val light = frame.lights.single { it.name == "light[$i].color" }
                 assertNear(scene.viewed(place(i)), light.position, 1e-3, "position of light $i")
             }
             val spot = frame.lights.single { it.spot != null }.spot ?: error("no cone")
@@ -73,16 +73,18 @@ class OwnShadersTest {
                 "ambient" to Vector3d(),
                 "blinnPhong" to if (blinn) 1 else 0,
                 "inverseGamma" to 1.0,
-                "spotLight[0].position" to scene.viewed(scene.spotPosition),
-                "spotLight[0].color" to Vector3d(2.0, 2.0, 1.8),
-                "spotLight[0].attenuation" to Vector3d(0.5, 0.05, 0.01),
-                "spotLight[0].direction" to scene.viewedDirection(scene.spotDirection),
-                "spotLight[0].cone" to floatArrayOf((1 - cos(scene.inner)).toFloat(), (1 - cos(scene.outer)).toFloat()),
+                "light[$points].position" to scene.viewed(scene.spotPosition),
+                "light[$points].color" to Vector3d(2.0, 2.0, 1.8),
+                "light[$points].attenuation" to Vector3d(0.5, 0.05, 0.01),
+                "light[$points].direction" to scene.viewedDirection(scene.spotDirection),
+                "light[$points].cone" to floatArrayOf((1 - cos(scene.inner)).toFloat(), (1 - cos(scene.outer)).toFloat()),
             )
         for (i in 0 until points) {
-            uniforms["pointLight[$i].position"] = scene.viewed(place(i))
-            uniforms["pointLight[$i].color"] = Vector3d(0.9, 0.4 + 0.05 * i, 0.7)
-            uniforms["pointLight[$i].attenuation"] = Vector3d(1.0, 0.5, 0.1)
+            uniforms["light[$i].position"] = scene.viewed(place(i))
+            uniforms["light[$i].color"] = Vector3d(0.9, 0.4 + 0.05 * i, 0.7)
+            uniforms["light[$i].attenuation"] = Vector3d(1.0, 0.5, 0.1)
+            uniforms["light[$i].direction"] = Vector3d()
+            uniforms["light[$i].cone"] = floatArrayOf(3f, 4f)
         }
         return uniforms
     }
@@ -96,6 +98,5 @@ class OwnShadersTest {
                 "shaders",
                 file,
             ).readText()
-            .edited("POINT_LIGHTS = 8", "POINT_LIGHTS = $points")
-            .edited("SPOT_LIGHTS = 2", "SPOT_LIGHTS = 1")
+            .edited("LIGHTS = 10", "LIGHTS = ${points + 1}")
 }

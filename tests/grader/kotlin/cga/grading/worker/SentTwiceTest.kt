@@ -12,7 +12,7 @@ import org.lwjgl.system.MemoryStack
 class SentTwiceTest {
     private val tape = Tape()
     private val programs = Programs(tape)
-    private val sentTwice = SentTwice(programs, tape)
+    private val sentTwice = SentTwice(programs, tape, Callers(tape))
     private val program = program()
     private val location = glGetUniformLocation(program, "light")
 

@@ -8,6 +8,7 @@ import cga.grading.capture.WriteMask
 import cga.grading.replay.Replay
 import cga.testing.Offscreen
 import cga.testing.Slow
+import cga.testing.projectRoot
 import org.junit.jupiter.api.Assertions.assertArrayEquals
 import org.junit.jupiter.api.Assertions.assertEquals
 import org.junit.jupiter.api.Assertions.assertFalse
@@ -109,6 +110,26 @@ class WorkerTest {
         val (first, second) = run.draws(0)
         assertNotEquals(first.textures, second.textures)
         assertNotEquals(first.attributes[0].buffer, run.draws(1)[0].attributes[0].buffer)
+    }
+
+    @Test
+    fun `the lines that sent, bound and drew are told, and who called them`() {
+        val run = WorkerProcess.ofStudent("Changer")
+        val sources = projectRoot.resolve("tests/grader/kotlin")
+
+        fun code(call: String) = call.split(':').let { (file, line) -> sources.resolve(file).readLines()[line.toInt() - 1] }
+
+        fun chain(caller: Int) = run.capture.chain(caller)
+        for (draw in run.capture.draws) {
+            val callers = draw.callers
+            assertTrue("glDrawElements" in code(chain(callers.draw)[0]))
+            assertTrue("glUseProgram(" in code(chain(callers.program)[0]))
+            for (unit in draw.textures.keys) assertTrue("glBindTexture(" in code(chain(callers.textures.getValue(unit))[0]))
+            val sent = draw.uniforms.filter { it.caller >= 0 }
+            assertTrue(sent.isNotEmpty())
+            for (uniform in sent) assertTrue("glUniform" in code(chain(uniform.caller)[0]))
+            assertEquals("paint()", code(chain(callers.draw)[1]).trim())
+        }
     }
 
     @Test

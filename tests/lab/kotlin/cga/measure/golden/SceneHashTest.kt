@@ -60,7 +60,7 @@ class SceneHashTest {
     }
 
     private fun Frame.withView(view: Matrix4d) =
-        Frame(view, projection, ambient, specularModel, gamma, pointLights, spotLights, draws)
+        Frame(view, projection, ambient, specularModel, gamma, lights, draws)
 
     private fun assertChanged(
         after: Map<String, String>,

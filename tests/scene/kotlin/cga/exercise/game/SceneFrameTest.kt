@@ -2,7 +2,7 @@ package cga.exercise.game
 
 import cga.framework.Frame
 import cga.framework.FrameDraw
-import cga.framework.FramePointLight
+import cga.framework.FrameLight
 import cga.testing.DOUBLE_ROUNDING
 import cga.testing.FLOAT_ROUNDING
 import cga.testing.assertNear
@@ -57,7 +57,7 @@ class SceneFrameTest {
 
     @Test
     fun `there is a light in each corner, of its own colour, just above the ground`() {
-        val corners = start.pointLights.drop(1)
+        val corners = start.corners()
         assertEquals(setOf(-1 to -1, -1 to 1, 1 to -1, 1 to 1), corners.map { sign(it.position.x()) to sign(it.position.z()) }.toSet())
         assertEquals(4, corners.size)
         assertEquals(4, corners.map { it.color }.toSet().size)
@@ -73,9 +73,9 @@ class SceneFrameTest {
     fun `the shaders have room for the lights`() {
         for (shader in listOf("shaders/scene.vert", "shaders/scene.frag")) {
             val source = File(shader).readText()
-            assertTrue("const int POINT_LIGHTS = 8;" in source && "const int SPOT_LIGHTS = 2;" in source) { shader }
+            assertTrue("const int LIGHTS = 10;" in source) { shader }
         }
-        assertTrue(start.pointLights.size <= 8 && start.spotLights.size <= 2)
+        assertTrue(start.lights.size <= 10)
     }
 
     @Test
@@ -86,14 +86,15 @@ class SceneFrameTest {
 
     @Test
     fun `the spotlight is at the motorcycle's front and shines ahead and down`() {
-        val spot = start.spotLights.single()
+        val spot = start.headlight()
         val front = start.motorcycle().minOf { lowestZ(it) } * 0.8
-        assertTrue(spot.light.position.z() < front / 2 && spot.light.position.y() > 0) { "${spot.light.position}, the front is at $front" }
-        assertTrue(spot.direction.y() < 0 && spot.direction.z() < -0.9) { "${spot.direction}" }
+        assertTrue(spot.position.z() < front / 2 && spot.position.y() > 0) { "${spot.position}, the front is at $front" }
+        val cone = checkNotNull(spot.cone)
+        assertTrue(cone.direction.y() < 0 && cone.direction.z() < -0.9) { "${cone.direction}" }
         // Where the axis meets the ground: ahead of the front wheel, and on the ground plane.
-        val reach = spot.light.position.y() / -spot.direction.y()
-        assertTrue(spot.light.position.z() + reach * spot.direction.z() in -22.4..front)
-        assertTrue(spot.innerAngle > 0 && spot.innerAngle < spot.outerAngle)
+        val reach = spot.position.y() / -cone.direction.y()
+        assertTrue(spot.position.z() + reach * cone.direction.z() in -22.4..front)
+        assertTrue(cone.innerAngle > 0 && cone.innerAngle < cone.outerAngle)
     }
 
     @Test
@@ -105,8 +106,8 @@ class SceneFrameTest {
         val tolerance = 16 * 4 * FLOAT_ROUNDING
         assertNear(start.fromMotorcycle(start.ofMotorcycle()), driven.fromMotorcycle(driven.ofMotorcycle()), tolerance)
         assertNear(
-            start.fromMotorcycle(start.spotLights.single().light),
-            driven.fromMotorcycle(driven.spotLights.single().light),
+            start.fromMotorcycle(start.headlight()),
+            driven.fromMotorcycle(driven.headlight()),
             tolerance,
         )
         assertNear(
@@ -114,7 +115,7 @@ class SceneFrameTest {
             driven.view.mul(driven.motorcycle().first().model, Matrix4d()),
             tolerance,
         )
-        assertEquals(start.pointLights.drop(1).map { it.position }, driven.pointLights.drop(1).map { it.position })
+        assertEquals(start.corners().map { it.position }, driven.corners().map { it.position })
     }
 
     @Test
@@ -122,7 +123,7 @@ class SceneFrameTest {
         scripted.advanceTo(3.4)
         scripted.moveMouseTo(777.0)
         val frame = scripted.scene.frame()
-        for (light in frame.pointLights + frame.spotLights.map { it.light }) {
+        for (light in frame.lights) {
             for (point in listOf(Vector3d(), Vector3d(22.4, 0.0, -22.4), Vector3d(-1.5, 0.7, 3.0))) {
                 val toLight = frame.view.transformPosition(Vector3d(light.position)).sub(frame.view.transformPosition(Vector3d(point)))
                 // A rigid matrix in double: a dozen roundings of numbers up to 64.
@@ -158,9 +159,13 @@ class SceneFrameTest {
 
     private fun Frame.motorcycle(): List<FrameDraw> = draws.drop(1)
 
-    private fun Frame.ofMotorcycle(): FramePointLight = pointLights.first()
+    private fun Frame.ofMotorcycle(): FrameLight = lights.first()
 
-    private fun Frame.fromMotorcycle(light: FramePointLight): Vector3d =
+    private fun Frame.headlight(): FrameLight = lights.single { it.cone != null }
+
+    private fun Frame.corners(): List<FrameLight> = lights.drop(1) - headlight()
+
+    private fun Frame.fromMotorcycle(light: FrameLight): Vector3d =
         motorcycle().first().model.invert(Matrix4d()).transformPosition(Vector3d(light.position))
 
     private fun lowestZ(draw: FrameDraw): Float = (2 until draw.vertices.size step 8).minOf { draw.vertices[it] }

@@ -93,6 +93,5 @@ class ScriptedSceneTest {
     /** Every number of the frame that moves. */
     private fun numbers(frame: Frame): List<Any> =
         listOf(frame.view, frame.projection) + frame.draws.flatMap { listOf(it.model, it.tint) } +
-            frame.pointLights.flatMap { listOf(it.position, it.color) } +
-            frame.spotLights.flatMap { listOf(it.light.position, it.direction) }
+            frame.lights.flatMap { listOfNotNull(it.position, it.color, it.cone?.direction) }
 }

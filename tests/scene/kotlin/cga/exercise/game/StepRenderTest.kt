@@ -2,9 +2,9 @@ package cga.exercise.game
 
 import cga.framework.ColorFormat
 import cga.framework.Frame
+import cga.framework.FrameCone
 import cga.framework.FrameDraw
-import cga.framework.FramePointLight
-import cga.framework.FrameSpotLight
+import cga.framework.FrameLight
 import cga.framework.FrameTexture
 import cga.framework.RenderTarget
 import cga.framework.SpecularModel
@@ -82,7 +82,7 @@ class StepRenderTest {
         val before = picture(Step.EMISSION)
         val after = picture(Step.POINT_LIGHT)
         assertNowhereDarker(before, after)
-        val light = after.frame.pointLights.single()
+        val light = after.frame.lights.single { it.cone == null }
 
         fun added(distances: ClosedRange<Double>) =
             after.ground.filter { it.world.distance(foot(light)) in distances }.map { after[it, 1] - before[it, 1] }.average()
@@ -96,9 +96,9 @@ class StepRenderTest {
         val before = picture(Step.POINT_LIGHT)
         val after = picture(Step.SPOT_LIGHT)
         assertNowhereDarker(before, after)
-        val spot = after.frame.spotLights.single()
-        val (inside, rest) = after.ground.partition { angle(spot, it) < spot.innerAngle }
-        val outside = rest.filter { angle(spot, it) > spot.outerAngle + SNAPPING_ANGLE }
+        val spot = after.frame.lights.single { it.cone != null }
+        val (inside, rest) = after.ground.partition { angle(spot, it) < cone(spot).innerAngle }
+        val outside = rest.filter { angle(spot, it) > cone(spot).outerAngle + SNAPPING_ANGLE }
         assertTrue(inside.size > 50 && outside.size > 5000, "${inside.size} pixels inside, ${outside.size} outside")
         assertTrue(inside.all { it.world.z < -2 }, "the cone is not ahead of the motorcycle")
         for (pixel in inside) assertTrue(after[pixel, 0] > before[pixel, 0] + 0.1f, "inside at $pixel")
@@ -110,9 +110,9 @@ class StepRenderTest {
         val emission = picture(Step.EMISSION)
         val before = picture(Step.POINT_LIGHT)
         val after = picture(Step.ATTENUATION)
-        val light = after.frame.pointLights.single()
-        val spot = after.frame.spotLights.single()
-        val outside = after.ground.filter { angle(spot, it) > spot.outerAngle + SNAPPING_ANGLE && it.distance < 15 }
+        val light = after.frame.lights.single { it.cone == null }
+        val spot = after.frame.lights.single { it.cone != null }
+        val outside = after.ground.filter { angle(spot, it) > cone(spot).outerAngle + SNAPPING_ANGLE && it.distance < 15 }
         var nearer = Double.MAX_VALUE
         for (pixels in outside.sortedBy { light.distance(it) }.chunked(outside.size / 20)) {
             val factors = pixels.map { (after[it, 0] - emission[it, 0]).toDouble() / (before[it, 0] - emission[it, 0]) }
@@ -130,8 +130,8 @@ class StepRenderTest {
     fun `4_4 has a ground that is green alone where no light reaches`() {
         // At time 0 the motorcycle and its light are black.
         val picture = picture(Step.COLOR, t = 0.0)
-        val spot = picture.frame.spotLights.single()
-        val dark = picture.ground.filter { angle(spot, it) > spot.outerAngle + SNAPPING_ANGLE }
+        val spot = picture.frame.lights.single { it.cone != null }
+        val dark = picture.ground.filter { angle(spot, it) > cone(spot).outerAngle + SNAPPING_ANGLE }
         assertTrue(dark.size > 5000)
         for (pixel in dark) {
             val green = picture(Step.EMISSION)[pixel, 1]
@@ -145,8 +145,8 @@ class StepRenderTest {
         val white = picture(Step.ATTENUATION)
         val colored = picture(Step.COLOR)
         val color = listOf(abs(sin(T)), abs(sin(T / 2)), abs(sin(T / 3)))
-        val spot = white.frame.spotLights.single()
-        val lit = white.ground.filter { angle(spot, it) > spot.outerAngle + SNAPPING_ANGLE && white[it, 0] - emission[it, 0] > 0.05f }
+        val spot = white.frame.lights.single { it.cone != null }
+        val lit = white.ground.filter { angle(spot, it) > cone(spot).outerAngle + SNAPPING_ANGLE && white[it, 0] - emission[it, 0] > 0.05f }
         assertTrue(lit.size > 500, "${lit.size} pixels of the pool")
         for (pixel in lit) {
             for (c in 0..2) {
@@ -192,7 +192,7 @@ class StepRenderTest {
             val before = picture(Step.ORBIT, mouse = mouse)
             val after = picture(Step.MORE_LIGHTS, mouse = mouse)
             assertNowhereDarker(before, after)
-            for (light in after.frame.pointLights.filter { abs(it.position.x()) > 10 }) {
+            for (light in after.frame.lights.filter { abs(it.position.x()) > 10 }) {
                 val at = after.pixel(foot(light))
                 if (at.x !in 0.0..WIDTH.toDouble() || after.depth(foot(light)) < 0) continue
                 corners += (light.position.x() > 0) to (light.position.z() > 0) map { if (it) 1 else -1 }
@@ -368,8 +368,8 @@ private class Picture(
         c: Int,
         reflectance: (toLight: Vector3d) -> Double,
     ): Double {
-        fun term(light: FramePointLight) = light.factor(at) * reflectance(light.position.sub(at, Vector3d()).normalize()) * light.color[c]
-        return frame.pointLights.sumOf(::term) + frame.spotLights.sumOf { it.intensity(at) * term(it.light) }
+        fun term(light: FrameLight) = light.factor(at) * reflectance(light.position.sub(at, Vector3d()).normalize()) * light.color[c]
+        return frame.lights.sumOf { it.intensity(at) * term(it) }
     }
 
     private fun groundPixel(
@@ -422,30 +422,33 @@ private const val SNAPPING_ANGLE = 0.01
 
 private fun Vector3d(component: (Int) -> Double) = Vector3d(component(0), component(1), component(2))
 
-private fun foot(light: FramePointLight) = Vector3d(light.position.x(), 0.0, light.position.z())
+private fun foot(light: FrameLight) = Vector3d(light.position.x(), 0.0, light.position.z())
 
-private fun FramePointLight.distance(pixel: GroundPixel): Double = position.distance(pixel.world)
+private fun FrameLight.distance(pixel: GroundPixel): Double = position.distance(pixel.world)
 
 /** F. */
-private fun FramePointLight.factor(at: Vector3d): Double {
+private fun FrameLight.factor(at: Vector3d): Double {
     val d = position.distance(at)
     return 1 / (attenuation.x() + attenuation.y() * d + attenuation.z() * d * d)
 }
 
 private fun cosine(
-    spot: FrameSpotLight,
+    spot: FrameLight,
     at: Vector3d,
-): Double = Vector3d(at).sub(spot.light.position).normalize().dot(spot.direction)
+): Double = Vector3d(at).sub(spot.position).normalize().dot(cone(spot).direction)
+
+private fun cone(spot: FrameLight): FrameCone = checkNotNull(spot.cone)
 
 private fun angle(
-    spot: FrameSpotLight,
+    spot: FrameLight,
     pixel: GroundPixel,
 ): Double = acos(cosine(spot, pixel.world))
 
 /** I. */
-private fun FrameSpotLight.intensity(at: Vector3d): Double {
-    val outer = cos(outerAngle.toDouble())
-    return ((cosine(this, at) - outer) / (cos(innerAngle.toDouble()) - outer)).coerceIn(0.0, 1.0)
+private fun FrameLight.intensity(at: Vector3d): Double {
+    val cone = cone ?: return 1.0
+    val outer = cos(cone.outerAngle.toDouble())
+    return ((cosine(this, at) - outer) / (cos(cone.innerAngle.toDouble()) - outer)).coerceIn(0.0, 1.0)
 }
 
 /** What sampling can give: from the least to the largest texel of all levels, and 1/255 for filtering in 8 bits. All textures are grey. */

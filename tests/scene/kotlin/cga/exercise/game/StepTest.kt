@@ -53,8 +53,8 @@ class StepTest {
         ).shuffled()) {
             scene.step = Step.of(name)!!
             val frame = scene.frame()
-            assertEquals(points, frame.pointLights.map { it.attenuation }, name)
-            assertEquals(spots, frame.spotLights.map { it.light.attenuation }, name)
+            assertEquals(points, frame.lights.filter { it.cone == null }.map { it.attenuation }, name)
+            assertEquals(spots, frame.lights.filter { it.cone != null }.map { it.attenuation }, name)
             assertEquals(if (name == "4.7") SpecularModel.BLINN_PHONG else SpecularModel.PHONG, frame.specularModel, name)
 
             val white = Vector3f(1f)
@@ -63,7 +63,7 @@ class StepTest {
             val tints = frame.draws.drop(1).map { it.tint }.toSet()
             assertEquals(1, tints.size, name)
             assertEquals(!colored, tints.single() == white, name)
-            assertTrue(frame.pointLights.isEmpty() || frame.pointLights.first().color == tints.single()) { name }
+            assertTrue(frame.lights.isEmpty() || frame.lights.first().color == tints.single()) { name }
             assertEquals(Vector3f(), frame.ambient, name)
             assertEquals(1f, frame.gamma, name)
         }
@@ -92,8 +92,8 @@ class StepTest {
     fun `a new scene starts at its step`() {
         for (step in listOf(Step.EMISSION, Step.SPOT_LIGHT, Step.FINAL)) {
             val frame = Scene(HeldKeys(), step).frame()
-            assertEquals(step.pointLight, frame.pointLights.isNotEmpty())
-            assertEquals(step.spotLight, frame.spotLights.isNotEmpty())
+            assertEquals(step.pointLight, frame.lights.any { it.cone == null })
+            assertEquals(step.spotLight, frame.lights.any { it.cone != null })
             assertEquals(step.specularModel, frame.specularModel)
         }
     }

@@ -63,20 +63,30 @@ class SceneDoctorTest {
     fun `no light is bound`() {
         val evidence = evidence {
             object : Program(it) {
-                override fun setUniform(name: String, value: Vector3fc) = if ("Light" in name) Unit else super.setUniform(name, value)
+                override fun setUniform(
+                    name: String,
+                    value: Vector3fc,
+                ) = if (name.startsWith("light")) Unit else super.setUniform(name, value)
 
-                override fun setUniform(name: String, value: Vector2fc) = if ("Light" in name) Unit else super.setUniform(name, value)
+                override fun setUniform(name: String, value: Vector2fc) = if (name.startsWith(
+                        "light",
+                    )
+                ) {
+                    Unit
+                } else {
+                    super.setUniform(name, value)
+                }
             }
         }
         assertTrue(evidence.isUnlit)
-        assertFirst("No light is bound: nobody sends pointLight[0].", evidence)
+        assertFirst("No light is bound: nobody sends light[0].", evidence)
     }
 
     @Test
     fun `a uniform has another name in the shader`() {
-        val evidence = evidence(fragment = { it.replace(Regex("\\bpointLight\\["), "pointLigth[") })
-        assertFirst("The shader uses pointLigth[0].", evidence)
-        assertTrue("The nearest name that is sent is pointLight." in Diagnosis.of(evidence).first().found) { found(evidence) }
+        val evidence = evidence(fragment = { it.replace(Regex("\\blight\\["), "ligth[") })
+        assertFirst("The shader uses ligth[0].", evidence)
+        assertTrue("The nearest name that is sent is light." in Diagnosis.of(evidence).first().found) { found(evidence) }
     }
 
     @Test
@@ -95,7 +105,7 @@ class SceneDoctorTest {
     @Test
     fun `the lights are black`() {
         val evidence = evidence(change = { scene ->
-            (scene.lights.points + scene.lights.spots).forEach { it.lightColor = Vector3f() }
+            scene.lights.shining.forEach { it.lightColor = Vector3f() }
             scene.motorcycleColor = Vector3f()
         })
         assertTrue(evidence.isUnlit)
@@ -118,7 +128,7 @@ class SceneDoctorTest {
                 )
             }
         }
-        assertFirst("pointLight[0].attenuation and 5 more: K is (0, 0, 0)", evidence)
+        assertFirst("light[0].attenuation and 5 more: K is (0, 0, 0)", evidence)
     }
 
     @Test
@@ -164,10 +174,10 @@ class SceneDoctorTest {
     fun `a light is in the ground, or under it`() {
         for (y in listOf(0f, -0.5f, -3f)) {
             val evidence = evidence(change = { scene ->
-                val corner = scene.lights.points[1]
+                val corner = scene.lights.shining[1]
                 corner.setLocalModelMatrix(corner.getLocalModelMatrix().setTranslation(3f, y, 3f))
             })
-            assertFirst("pointLight[1] is in or under the ground", evidence)
+            assertFirst("light[1] is in or under the ground", evidence)
         }
     }
 
@@ -176,7 +186,7 @@ class SceneDoctorTest {
         val sound = evidence()
         for ((y, z) in listOf(0.45 to 0.0, -1.0 to 2.0)) {
             val view = Matrix4d().translation(0.0, -y, -z)
-            val frame = with(sound.frame) { Frame(view, projection, ambient, specularModel, gamma, pointLights, spotLights, draws) }
+            val frame = with(sound.frame) { Frame(view, projection, ambient, specularModel, gamma, lights, draws) }
             val evidence = with(sound) { Evidence(program, uniforms, samplers, sent, warnings, frame, picture, withoutLights) }
             assertFirst("The camera is inside an object or under the ground", evidence)
         }

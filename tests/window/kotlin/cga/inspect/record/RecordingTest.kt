@@ -113,7 +113,7 @@ class RecordingTest {
     /** Every number of the frame that moves. */
     private fun numbers(frame: Frame): List<Any> =
         listOf(frame.view, frame.projection, frame.specularModel) + frame.draws.flatMap { listOf(it.model, it.tint) } +
-            (frame.pointLights + frame.spotLights.map { it.light }).flatMap { listOf(it.position, it.color, it.attenuation) }
+            frame.lights.flatMap { listOf(it.position, it.color, it.attenuation) }
 
     private companion object {
         val KEYS = listOf(GLFW_KEY_W, GLFW_KEY_A, GLFW_KEY_S, GLFW_KEY_D)

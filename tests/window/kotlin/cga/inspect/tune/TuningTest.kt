@@ -3,6 +3,7 @@ package cga.inspect.tune
 import cga.exercise.game.Scene
 import cga.exercise.game.Step
 import cga.framework.Frame
+import cga.inspect.light.InspectedLight
 import cga.testing.FLOAT_ROUNDING
 import cga.testing.HeldKeys
 import org.joml.Vector3f
@@ -70,7 +71,7 @@ class TuningTest {
     fun `reset goes back to the attenuation of the step`() {
         scene.step = Step.SPOT_LIGHT
         tuning.stepChanged()
-        val k = tuning.lights.first().groups.first { it.title == LightKnobs.ATTENUATION }.knobs
+        val k = tuning.lights.first().groups.first { it.title == InspectedLight.ATTENUATION }.knobs
         k[1].value = 0.7f
         tuning.reset()
         assertEquals(listOf(1f, 0f, 0f), k.map { it.value })
@@ -81,10 +82,10 @@ class TuningTest {
         val red = tuning.lights.first().groups.first().knobs.first()
         red.value = 0.123f
         scene.update(0.0, 9.0)
-        assertEquals(0.123f, scene.frame().pointLights.first().color.x())
+        assertEquals(0.123f, scene.frame().lights.first().color.x())
         assertEquals(0.123f, scene.frame().draws.last().tint.x())
         tuning.reset()
-        assertEquals(abs(sin(9.0)).toFloat(), scene.frame().pointLights.first().color.x())
+        assertEquals(abs(sin(9.0)).toFloat(), scene.frame().lights.first().color.x())
     }
 
     @Test
@@ -103,16 +104,8 @@ class TuningTest {
                 ).map { it.value.removeSuffix("f").toFloat() }
                 .toList()
             val position = light.light.getPosition()
-            val data = (frame.pointLights + frame.spotLights.map { it.light })[i]
-            val cone = frame.spotLights
-                .firstOrNull()
-                ?.takeIf { light.name == "spotLight" }
-                ?.let {
-                    listOf(
-                        it.innerAngle,
-                        it.outerAngle,
-                    )
-                }.orEmpty()
+            val data = frame.lights[i]
+            val cone = data.cone?.let { listOf(it.innerAngle, it.outerAngle) }.orEmpty()
             assertEquals(
                 listOf(position, data.color).flatMap { listOf(it.x(), it.y(), it.z()) } + cone +
                     data.attenuation.let { listOf(it.x(), it.y(), it.z()) },
@@ -126,8 +119,8 @@ class TuningTest {
     /** Every number that a picture is made of. */
     private fun numbers(frame: Frame): List<Any> =
         listOf(frame.ambient, frame.gamma) +
-            (frame.pointLights + frame.spotLights.map { it.light }).flatMap { listOf(it.position, it.color, it.attenuation) } +
-            frame.spotLights.flatMap { listOf(it.direction, it.innerAngle, it.outerAngle) } +
+            frame.lights.flatMap { listOf(it.position, it.color, it.attenuation) } +
+            frame.lights.mapNotNull { it.cone }.flatMap { listOf(it.direction, it.innerAngle, it.outerAngle) } +
             frame.draws.flatMap { listOf(it.tint, it.material.shininess) }
 
     private companion object {

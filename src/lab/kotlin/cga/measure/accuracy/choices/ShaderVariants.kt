@@ -23,12 +23,10 @@ internal object ShaderVariants {
 
     /** The vectors to the lights from the position of the fragment, instead of one interpolated vector for each light. */
     val toLightPerFragment: List<ShaderEdit> =
-        listOf("Point" to "pointLight", "Spot" to "spotLight").flatMap { (kind, light) ->
-            listOf(
-                ShaderEdit(VERTEX, "out vec3 to${kind}LightView", "vec3 to${kind}LightView"),
-                ShaderEdit(FRAGMENT, "to${kind}LightView[i]", "($light[i].position + toCameraView)"),
-            )
-        }
+        listOf(
+            ShaderEdit(VERTEX, "out vec3 toLightView", "vec3 toLightView"),
+            ShaderEdit(FRAGMENT, "toLightView[i]", "(light[i].position + toCameraView)"),
+        )
 
     /** As courses write it: cosines of the angles, sent as floats. */
     val cosines: List<ShaderEdit> =
@@ -49,9 +47,15 @@ internal object ShaderVariants {
             ),
         )
 
-    /** A cone of other angles than the scene's. */
+    /** A cone of other angles than the scene's; a point light's stays. */
     fun cone(cone: Cone): List<ShaderEdit> =
-        listOf(ShaderEdit(FRAGMENT, "spotLight[i].cone", "vec2(${versine(cone.inner)}, ${versine(cone.outer)})"))
+        listOf(
+            ShaderEdit(
+                FRAGMENT,
+                "light[i].cone)",
+                "light[i].cone.x > 2.0 ? light[i].cone : vec2(${versine(cone.inner)}, ${versine(cone.outer)}))",
+            ),
+        )
 
     /** Per-vertex lighting (Gouraud 1971): both sums over the lights are computed at the vertices and interpolated. */
     fun lightPerVertex(): List<ShaderEdit> =
@@ -59,8 +63,7 @@ internal object ShaderVariants {
             ShaderEdit(VERTEX, "\nvoid main() {\n", "$VERTEX_DECLARATIONS\n${lightFunctions()}\nvoid main() {\n"),
             ShaderEdit(VERTEX, "    gl_Position =", "$VERTEX_SUMS\n    gl_Position ="),
             ShaderEdit(FRAGMENT, "\nvoid main() {\n", "\nin vec3 diffuseLight;\nin vec3 specularLight;\n\nvoid main() {\n"),
-            ShaderEdit(FRAGMENT, "i < POINT_LIGHTS", "i < 0"),
-            ShaderEdit(FRAGMENT, "i < SPOT_LIGHTS", "i < 0"),
+            ShaderEdit(FRAGMENT, "i < LIGHTS", "i < 0"),
             ShaderEdit(FRAGMENT, "    fragColor =", "    color += diffuse * diffuseLight + specular * specularLight;\n    fragColor ="),
         )
 
@@ -93,18 +96,12 @@ internal object ShaderVariants {
         vec3 toCamera = normalizeOrZero(toCameraView);
         diffuseLight = vec3(0.0);
         specularLight = vec3(0.0);
-        for (int i = 0; i < POINT_LIGHTS; i++) {
-            vec3 l = normalizeOrZero(toPointLightView[i]);
-            vec3 light = attenuationFactor(toPointLightView[i], pointLight[i].attenuation) * pointLight[i].color;
-            diffuseLight += clampedCosine(n, l) * light;
-            specularLight += specularFactor(n, l, toCamera) * light;
-        }
-        for (int i = 0; i < SPOT_LIGHTS; i++) {
-            vec3 l = normalizeOrZero(toSpotLightView[i]);
-            vec3 light = attenuationFactor(toSpotLightView[i], spotLight[i].attenuation) * spotLight[i].color
-                * coneIntensity(-l, spotLight[i].direction, spotLight[i].cone);
-            diffuseLight += clampedCosine(n, l) * light;
-            specularLight += specularFactor(n, l, toCamera) * light;
+        for (int i = 0; i < LIGHTS; i++) {
+            vec3 l = normalizeOrZero(toLightView[i]);
+            vec3 incident = attenuationFactor(toLightView[i], light[i].attenuation) * light[i].color
+                * coneIntensity(-l, light[i].direction, light[i].cone);
+            diffuseLight += clampedCosine(n, l) * incident;
+            specularLight += specularFactor(n, l, toCamera) * incident;
         }
         """.trimIndent().prependIndent("    ")
 }

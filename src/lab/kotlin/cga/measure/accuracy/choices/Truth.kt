@@ -2,10 +2,10 @@ package cga.measure.accuracy.choices
 
 import cga.exercise.game.ScriptedScene
 import cga.framework.Frame
+import cga.framework.FrameCone
 import cga.framework.FrameDraw
+import cga.framework.FrameLight
 import cga.framework.FrameMaterial
-import cga.framework.FramePointLight
-import cga.framework.FrameSpotLight
 import cga.framework.FrameTexture
 import cga.framework.SpecularModel
 import cga.framework.image.ImageData
@@ -77,7 +77,7 @@ internal object Truth {
         val scene = scene(size).scene.apply { specularModel = key.specular }
         val frame = scene.frame()
         return frame.with(
-            spots = if (key.cone == null) frame.spotLights else frame.spotLights.map { it.with(key.cone) },
+            lights = if (key.cone == null) frame.lights else frame.lights.map { it.with(key.cone) },
             draws = frame.draws.map { it.with(it.material.with(key.surface)) },
         )
     }
@@ -90,23 +90,20 @@ internal object Truth {
             frame.ambient,
             frame.specularModel,
             frame.gamma,
-            frame.pointLights.map { it.rounded(frame.view) },
-            frame.spotLights.map {
-                FrameSpotLight(
-                    it.light.rounded(frame.view),
-                    direction(it.direction, frame.view),
-                    it.innerAngle,
-                    it.outerAngle,
-                )
-            },
+            frame.lights.map { it.rounded(frame.view) },
             frame.draws.map { draw ->
                 val modelView = Matrix4d(Matrix4f(frame.view.mul(draw.model, Matrix4d())))
                 FrameDraw(draw.vertices, draw.indices, modelView, draw.tint, draw.material)
             },
         )
 
-    private fun FramePointLight.rounded(view: Matrix4dc) =
-        FramePointLight(Vector3d(Vector3f(view.transformPosition(position, Vector3d()))), color, attenuation)
+    private fun FrameLight.rounded(view: Matrix4dc) =
+        FrameLight(
+            Vector3d(Vector3f(view.transformPosition(position, Vector3d()))),
+            color,
+            attenuation,
+            cone?.run { FrameCone(direction(direction, view), innerAngle, outerAngle) },
+        )
 
     private fun direction(
         direction: Vector3dc,
@@ -114,12 +111,18 @@ internal object Truth {
     ) = Vector3d(Vector3f(view.transformDirection(direction, Vector3d()))).normalize()
 
     private fun Frame.with(
-        spots: List<FrameSpotLight>,
+        lights: List<FrameLight>,
         draws: List<FrameDraw>,
-    ) = Frame(view, projection, ambient, specularModel, gamma, pointLights, spots, draws)
+    ) = Frame(view, projection, ambient, specularModel, gamma, lights, draws)
 
-    private fun FrameSpotLight.with(cone: Cone) =
-        FrameSpotLight(light, direction, Math.toRadians(cone.inner).toFloat(), Math.toRadians(cone.outer).toFloat())
+    /** A spotlight's cone becomes [other]. */
+    private fun FrameLight.with(other: Cone) =
+        FrameLight(
+            position,
+            color,
+            attenuation,
+            cone?.run { FrameCone(direction, Math.toRadians(other.inner).toFloat(), Math.toRadians(other.outer).toFloat()) },
+        )
 
     private fun FrameDraw.with(material: FrameMaterial) = FrameDraw(vertices, indices, model, tint, material)
 

@@ -62,7 +62,7 @@ internal class ConeCases(private val probe: Probe) {
         val axis = light.getDirection(Vector3d())
         val across = Vector3d(axis).cross(0.6, 0.0, 0.8).normalize()
         val position = Vector3f(axis.rotateAxis(angle, across.x, across.y, across.z).mul(3.0))
-        return Shot(position = position, normal = position.negate(Vector3f()), spots = listOf(light))
+        return Shot(position = position, normal = position.negate(Vector3f()), lights = listOf(light))
     }
 
     private fun naive(

@@ -59,7 +59,7 @@ internal object DepthCases {
     /** A row of pixels, each with a point of its own depth in it and one behind. */
     private class DepthTarget(camera: TronCamera) : AutoCloseable {
         private val target = RenderTarget(POINTS, 1, 0, ColorFormat.RGBA32F)
-        private val program = ShaderProgram("shaders/scene.vert", "shaders/scene.frag", mapOf("POINT_LIGHTS" to 0, "SPOT_LIGHTS" to 0))
+        private val program = ShaderProgram("shaders/scene.vert", "shaders/scene.frag", mapOf("LIGHTS" to 0))
         private val material = Material(plain(0f), plain(1f), plain(0f))
         private val vertices = glGenVertexArrays()
 

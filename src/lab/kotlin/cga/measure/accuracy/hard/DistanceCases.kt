@@ -54,7 +54,7 @@ internal class DistanceCases(private val probe: Probe) {
         return List(1_000) {
             val position = Vector3f(random.nextFloat() - 0.5f, random.nextFloat(), random.nextFloat() - 0.5f)
             val normal = Vector3f(random.nextFloat() - 0.5f, 1f, random.nextFloat() - 0.5f).normalize()
-            Shot(position, normal, points = listOf(light), modelView = modelView, view = view)
+            Shot(position, normal, lights = listOf(light), modelView = modelView, view = view)
         }
     }
 
@@ -64,7 +64,7 @@ internal class DistanceCases(private val probe: Probe) {
      */
     private fun bound(shot: Shot): Double {
         val position = shot.modelView.transformPosition(Vector3d(shot.position))
-        val light = shot.view.transformPosition(shot.points.single().getWorldPosition(Vector3d()))
+        val light = shot.view.transformPosition(shot.lights.single().getWorldPosition(Vector3d()))
         val moved = (8 * position.length() + light.length()) / light.distance(position)
         return Rounding.COSINE + 2 * moved * Rounding.U + Rounding.ATTENUATION + 6 * Rounding.U + Rounding.PRODUCTS
     }
@@ -82,7 +82,7 @@ internal class DistanceCases(private val probe: Probe) {
         fun color(shot: Shot): Float {
             val toLight = Vector3f(lightView).sub(modelView.transformPosition(Vector3f(shot.position)))
             val normal = modelView.transformDirection(Vector3f(shot.normal))
-            return Naive.attenuation(toLight, shot.points.single().attenuation) * Naive.diffuse(normal, toLight)
+            return Naive.attenuation(toLight, shot.lights.single().attenuation) * Naive.diffuse(normal, toLight)
         }
     }
 

@@ -18,7 +18,7 @@ internal class EdgeCases(private val probe: Probe) {
 
     /** d = 0: the naive form divides 0 by 0. */
     private fun atTheLight(): HardCase {
-        val shot = Shot(points = listOf(PointLight(Shot().position, WHITE, TABLE_1)))
+        val shot = Shot(lights = listOf(PointLight(Shot().position, WHITE, TABLE_1)))
         return case(
             "fragment at the light",
             "normalize(0)",
@@ -34,7 +34,7 @@ internal class EdgeCases(private val probe: Probe) {
     private fun nearTheLight(): HardCase {
         val position = Vector3f()
         val light = PointLight(Vector3f(1.5e-19f, 0f, 0f), WHITE, Vector3f(0f, 0f, 0.1f))
-        val shot = Shot(position, points = listOf(light))
+        val shot = Shot(position, lights = listOf(light))
         val naive = Naive.attenuation(Vector3f(1.5e-19f, 0f, 0f), light.attenuation) * Naive.diffuse(shot.normal, Vector3f(1f, 0f, 0f))
         return case("K = (0, 0, 0.1), d = 1.5e-19, grazing", "F not limited", naive.toDouble(), "F ≤ 1e18", error(shot), 0.0, "∞·0")
     }
@@ -44,9 +44,9 @@ internal class EdgeCases(private val probe: Probe) {
         d: Float,
         label: String,
     ): HardCase {
-        val shot = Shot(points = listOf(PointLight(Vector3f(0f, 0f, d), WHITE, Vector3f(1f, 0f, 0f))))
+        val shot = Shot(lights = listOf(PointLight(Vector3f(0f, 0f, d), WHITE, Vector3f(1f, 0f, 0f))))
         val toLight = Vector3f(0f, 0f, d)
-        val naive = Naive.attenuation(toLight, shot.points.single().attenuation) * Naive.diffuse(shot.normal, toLight)
+        val naive = Naive.attenuation(toLight, shot.lights.single().attenuation) * Naive.diffuse(shot.normal, toLight)
         val truth = shot.truth().color.x
         val bound = 255 * (Rounding.COSINE + Rounding.ATTENUATION + Rounding.PRODUCTS)
         val failure = if (d > 1.85e19f) "d² is ∞, 0·∞" else ""
@@ -68,7 +68,7 @@ internal class EdgeCases(private val probe: Probe) {
             List(1_000) {
                 val position = random.direction(4f)
                 val light = PointLight(position.mul(random.nextInt(2, 9).toFloat(), Vector3f()), WHITE, CONSTANT)
-                Shot(position, random.direction(1f), diffuse = 0f, specular = 1f, k = 8f, points = listOf(light))
+                Shot(position, random.direction(1f), diffuse = 0f, specular = 1f, k = 8f, lights = listOf(light))
             }
         val naive = shots.map { Naive.specular(it.specularModel, it.normal, it.toLight(), it.toCamera(), it.k).toDouble() }
         val worst = if (naive.any(Double::isNaN)) Double.NaN else 255 * naive.max()
@@ -99,7 +99,7 @@ internal class EdgeCases(private val probe: Probe) {
                     specular = 1f,
                     k = 60f,
                     specularModel = SpecularModel.PHONG,
-                    points = listOf(light),
+                    lights = listOf(light),
                 )
             }
         val seen = probe.shade(shots)
@@ -125,7 +125,7 @@ internal class EdgeCases(private val probe: Probe) {
             specular = 1f,
             k = 8.5f,
             specularModel = SpecularModel.PHONG,
-            points = listOf(ABOVE),
+            lights = listOf(ABOVE),
         )
         val l = Naive.normalize(shot.toLight())
         val cosine = Naive.cosBeta(shot.specularModel, Naive.normalize(shot.normal), l, Naive.normalize(shot.toCamera()))
@@ -147,7 +147,7 @@ internal class EdgeCases(private val probe: Probe) {
             specular = 1f,
             k = 0f,
             specularModel = SpecularModel.PHONG,
-            points = listOf(ABOVE),
+            lights = listOf(ABOVE),
         )
         val naive = Naive.specular(shot.specularModel, shot.normal, shot.toLight(), shot.toCamera(), 0f) * 255.0
         return case(
@@ -164,7 +164,7 @@ internal class EdgeCases(private val probe: Probe) {
     /** The sheet does not cut the highlight off behind the surface: cutting it off is another picture. */
     private fun leak(): HardCase {
         val light = PointLight(Vector3f(0f, 0.1f, -10f), WHITE, CONSTANT)
-        val shot = Shot(diffuse = 0f, specular = 1f, k = 60f, points = listOf(light))
+        val shot = Shot(diffuse = 0f, specular = 1f, k = 60f, lights = listOf(light))
         val lit = (0..400).map { shot.copy(normal = Vector3f(0f, 1f, it / 400f)) }.filter { it.truth().lights.single().cosAlpha < 0 }
         val seen = probe.shade(lit)
         val truths = lit.map { it.truth() }
@@ -184,7 +184,7 @@ internal class EdgeCases(private val probe: Probe) {
 
     /** Normals of two vertices that cancel half way between them. */
     private fun noNormal(): HardCase {
-        val shot = Shot(normal = Vector3f(), specular = 1f, points = listOf(ABOVE))
+        val shot = Shot(normal = Vector3f(), specular = 1f, lights = listOf(ABOVE))
         return case(
             "interpolated normals that cancel",
             "normalize(0)",
@@ -198,7 +198,7 @@ internal class EdgeCases(private val probe: Probe) {
 
     /** What the normal matrix of a model scaled by (1e-13, 1, 1e13) leaves of a normal along z, and the same the other way round. */
     private fun shortNormal(length: Float): HardCase {
-        val shot = Shot(normal = Vector3f(0f, 0.6f * length, 0.8f * length), points = listOf(ABOVE))
+        val shot = Shot(normal = Vector3f(0f, 0.6f * length, 0.8f * length), lights = listOf(ABOVE))
         val naive = abs(Naive.diffuse(shot.normal, shot.toLight()) - shot.truth().color.x)
         val bound = 255 * (Rounding.COSINE + 2 * Rounding.U + Rounding.PRODUCTS)
         return case(
@@ -222,7 +222,7 @@ internal class EdgeCases(private val probe: Probe) {
         val shots =
             List(2_000) {
                 val normal = Vector3f(random.nextFloat() - 0.5f, random.nextFloat() - 0.5f, random.nextFloat() - 0.5f).mul(reach).add(peak)
-                Shot(position, normal, diffuse = 0f, specular = 1f, k = k, points = listOf(light))
+                Shot(position, normal, diffuse = 0f, specular = 1f, k = k, lights = listOf(light))
             }
         val truths = shots.map { it.truth() }
         val seen = probe.shade(shots)
@@ -259,7 +259,7 @@ internal class EdgeCases(private val probe: Probe) {
         failure: String,
     ) = HardCase(name, naive, naiveError, ours, ourError, bound, ErrorUnit.COLOR, failure)
 
-    private fun Shot.toLight() = points.single().getWorldPosition().sub(position)
+    private fun Shot.toLight() = lights.single().getWorldPosition().sub(position)
 
     private fun Shot.toCamera() = position.negate(Vector3f())
 

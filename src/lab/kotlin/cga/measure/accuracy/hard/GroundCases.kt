@@ -83,7 +83,7 @@ internal object GroundCases {
 
     private fun draw(size: Float): FloatArray {
         val ground = Renderable(listOf(mesh(size)))
-        val program = ShaderProgram("shaders/scene.vert", "shaders/scene.frag", mapOf("POINT_LIGHTS" to 1, "SPOT_LIGHTS" to 0))
+        val program = ShaderProgram("shaders/scene.vert", "shaders/scene.frag", mapOf("LIGHTS" to 1))
         val camera = TronCamera(aspect = 1f).apply {
             translateLocal(Vector3f(0f, 3f, 0f))
             rotateLocal((-Math.PI / 2).toFloat(), 0f, 0f)
@@ -94,7 +94,7 @@ internal object GroundCases {
             glDisable(GL_DEPTH_TEST)
             program.use()
             camera.bind(program)
-            PointLight(LIGHT, Vector3f(1f), K).bind(program, "pointLight[0]", view)
+            PointLight(LIGHT, Vector3f(1f), K).bind(program, "light[0]", view)
             program.setUniform("emissiveTint", Vector3f())
             program.setUniform("ambient", Vector3f())
             program.setUniform("blinnPhong", true)

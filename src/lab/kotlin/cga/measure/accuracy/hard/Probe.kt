@@ -21,7 +21,7 @@ import org.lwjgl.opengl.GL33C.*
 internal class Probe : AutoCloseable {
     private val target = RenderTarget(SIDE, SIDE, 0, ColorFormat.RGBA32F)
     private val vertices = glGenVertexArrays()
-    private val programs = HashMap<Pair<Int, Int>, ShaderProgram>()
+    private val programs = HashMap<Int, ShaderProgram>()
     private val materials = HashMap<Pair<Float, Float>, Material>()
 
     /** The colours of [shots], in their order. */
@@ -62,8 +62,7 @@ internal class Probe : AutoCloseable {
         program.setUniform("ambient", Vector3f())
         program.setUniform("blinnPhong", shot.specularModel == SpecularModel.BLINN_PHONG)
         program.setUniform("inverseGamma", 1f)
-        shot.points.forEachIndexed { i, light -> light.bind(program, "pointLight[$i]", shot.view) }
-        shot.spots.forEachIndexed { i, light -> light.bind(program, "spotLight[$i]", shot.view) }
+        shot.lights.forEachIndexed { i, light -> light.bind(program, "light[$i]", shot.view) }
         material(shot).bind(program)
         // No arrays: the one vertex has the current attributes.
         glVertexAttrib3f(0, shot.position.x(), shot.position.y(), shot.position.z())
@@ -73,9 +72,8 @@ internal class Probe : AutoCloseable {
     }
 
     private fun program(shot: Shot) =
-        programs.getOrPut(shot.points.size to shot.spots.size) {
-            val counts = mapOf("POINT_LIGHTS" to shot.points.size, "SPOT_LIGHTS" to shot.spots.size)
-            ShaderProgram("shaders/scene.vert", "shaders/scene.frag", counts)
+        programs.getOrPut(shot.lights.size) {
+            ShaderProgram("shaders/scene.vert", "shaders/scene.frag", mapOf("LIGHTS" to shot.lights.size))
         }
 
     private fun material(shot: Shot) =

@@ -21,8 +21,9 @@ internal class RandomShots(private val random: Random) {
             specular = random.nextInt(2).toFloat(),
             k = pick(EXPONENTS) { 10.0.pow(random.nextDouble(-3.0, 5.0)).toFloat() },
             specularModel = SpecularModel.entries.random(random),
-            points = List(random.nextInt(2 - spots, 3)) { PointLight(place(position), color(), attenuation()) },
-            spots = List(spots) { spot(position) },
+            lights =
+                List(random.nextInt(2 - spots, 3)) { PointLight(place(position), color(), attenuation()) } +
+                    List(spots) { spot(position) },
         )
     }
 

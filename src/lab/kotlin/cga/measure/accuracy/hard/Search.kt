@@ -65,7 +65,7 @@ internal class Search(
         color: Vector3f,
         what: String,
     ): String {
-        val lights = (shot.points + shot.spots).joinToString { "at ${it.getPosition()}, L ${it.lightColor}, K ${it.attenuation}" }
+        val lights = shot.lights.joinToString { "at ${it.getPosition()}, L ${it.lightColor}, K ${it.attenuation}" }
         val surface = "at ${exact(shot.position)}, n ${exact(shot.normal)}"
         return "$what: ${exact(color)} of ${shot.specularModel}, k ${shot.k}, $surface; lights $lights"
     }

@@ -1,7 +1,6 @@
 package cga.measure.accuracy.hard
 
 import cga.exercise.components.light.PointLight
-import cga.exercise.components.light.SpotLight
 import cga.framework.Frame
 import cga.framework.SpecularModel
 import cga.reference.Lighting
@@ -27,16 +26,13 @@ internal data class Shot(
     val specular: Float = 0f,
     val k: Float = 1f,
     val specularModel: SpecularModel = SpecularModel.BLINN_PHONG,
-    val points: List<PointLight> = emptyList(),
-    val spots: List<SpotLight> = emptyList(),
+    val lights: List<PointLight> = emptyList(),
     val modelView: Matrix4dc = Matrix4d(),
     val view: Matrix4dc = Matrix4d(),
 ) {
     /** The terms of the lighting model in double precision. */
     fun truth(): ShadedPoint {
-        val pointLights = points.map { it.toFrameLight() }
-        val spotLights = spots.map { it.toFrameSpotLight() }
-        val lighting = Lighting(Frame(view, Matrix4f(), Vector3f(), specularModel, 1f, pointLights, spotLights, emptyList()))
+        val lighting = Lighting(Frame(view, Matrix4f(), Vector3f(), specularModel, 1f, lights.map { it.toFrameLight() }, emptyList()))
         val point = lighting.newPoint()
         modelView.transformPosition(Vector3d(position), point.position)
         modelView.transformDirection(Vector3d(normal), point.normal)

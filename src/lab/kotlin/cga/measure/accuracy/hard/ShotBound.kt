@@ -1,7 +1,7 @@
 package cga.measure.accuracy.hard
 
 import cga.exercise.components.light.PointLight
-import cga.exercise.components.light.SpotLight
+import cga.framework.FrameCone
 import cga.framework.SpecularModel
 import cga.reference.LightContribution
 import cga.reference.ShadedPoint
@@ -16,8 +16,7 @@ internal object ShotBound {
         truth: ShadedPoint,
     ): Double? {
         if (shot.position.length() !in EYE || largest(shot.normal) in DENORMAL) return null
-        val lights = shot.points + shot.spots
-        val bounds = lights.indices.map { i -> light(shot, truth, truth.lights[i], lights[i]) ?: return null }
+        val bounds = shot.lights.indices.map { i -> light(shot, truth, truth.lights[i], shot.lights[i]) ?: return null }
         return bounds.sum() + SMALLEST
     }
 
@@ -38,18 +37,17 @@ internal object ShotBound {
         val highlight = highlight(shot.k.toDouble(), cosBeta, share.cosBeta)
         // So large an exponent that rounding decides whether there is a highlight at all.
         if (shot.specular > 0f && highlight > 0.5) return null
-        val cone = (light as? SpotLight)?.let { cone(it, share) ?: return null } ?: 0.0
+        val cone = light.toFrameLight().cone?.let { cone(it, share) ?: return null } ?: 0.0
         val reflected = shot.diffuse * Rounding.COSINE + shot.specular * highlight + 2 * (Rounding.ATTENUATION + Rounding.PRODUCTS + cone)
         return share.attenuation * largest(light.lightColor) * reflected
     }
 
     private fun cone(
-        light: SpotLight,
+        cone: FrameCone,
         share: LightContribution,
     ): Double? {
-        val spot = light.toFrameSpotLight()
-        val inner = spot.innerAngle.toDouble()
-        val outer = spot.outerAngle.toDouble()
+        val inner = cone.innerAngle.toDouble()
+        val outer = cone.outerAngle.toDouble()
         val bound = Rounding.cone(inner, outer)
         // Cones narrower than what a float direction can say are steps.
         return if (bound.isNaN() || bound > 0.5) 0.0.takeIf { abs(share.theta - outer) > 0.01 } else bound

@@ -2,9 +2,11 @@ package cga.exercise.components.light
 
 import cga.exercise.components.geometry.Transformable
 import cga.exercise.components.shader.ShaderProgram
-import cga.framework.FramePointLight
+import cga.framework.FrameLight
 import org.joml.Matrix4d
 import org.joml.Matrix4dc
+import org.joml.Vector2f
+import org.joml.Vector2fc
 import org.joml.Vector3d
 import org.joml.Vector3f
 import org.joml.Vector3fc
@@ -84,23 +86,36 @@ public open class PointLight(
         // solution 4.3.4: send the attenuation
         shaderProgram.setUniform(uniforms.attenuation, k)
         // end of solution
+        // solution 4.3.3: where the shaders have one kind of light for all, send a point light's cone: it shines everywhere
+        shaderProgram.setUniform(uniforms.direction, NO_DIRECTION)
+        shaderProgram.setUniform(uniforms.cone, EVERYWHERE)
+        // end of solution
     }
 
     /** Position in world space, in double precision. */
     public fun getWorldPosition(dest: Vector3d): Vector3d = getWorldModelMatrix(world).getTranslation(dest)
 
     /** The light as plain data. */
-    public fun toFrameLight(): FramePointLight = FramePointLight(getWorldPosition(Vector3d()), Vector3f(color), Vector3f(k))
+    public open fun toFrameLight(): FrameLight = FrameLight(getWorldPosition(Vector3d()), Vector3f(color), Vector3f(k))
 
     /** The members' names, put together once and not in every frame. */
     private class Uniforms(val light: String) {
         val position = "$light.position"
         val color = "$light.color"
         val attenuation = "$light.attenuation"
+        val direction = "$light.direction"
+        val cone = "$light.cone"
     }
 
     private companion object {
         val IDENTITY: Matrix4dc = Matrix4d()
         const val LARGEST_COLOR = 1e18f
+
+        // solution
+        val NO_DIRECTION: Vector3fc = Vector3f()
+
+        /** Beyond 1 − cos of every angle, which is at most 2. */
+        val EVERYWHERE: Vector2fc = Vector2f(3f, 4f)
+        // end of solution
     }
 }

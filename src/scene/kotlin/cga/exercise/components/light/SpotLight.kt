@@ -1,7 +1,8 @@
 package cga.exercise.components.light
 
 import cga.exercise.components.shader.ShaderProgram
-import cga.framework.FrameSpotLight
+import cga.framework.FrameCone
+import cga.framework.FrameLight
 import org.joml.Matrix4d
 import org.joml.Matrix4dc
 import org.joml.Matrix4f
@@ -91,7 +92,8 @@ public class SpotLight(
     }
 
     /** The light as plain data. */
-    public fun toFrameSpotLight(): FrameSpotLight = FrameSpotLight(toFrameLight(), getDirection(Vector3d()), innerAngle, outerAngle)
+    override fun toFrameLight(): FrameLight =
+        super.toFrameLight().run { FrameLight(position, color, attenuation, FrameCone(getDirection(Vector3d()), innerAngle, outerAngle)) }
 
     private class Uniforms(val light: String) {
         val direction = "$light.direction"

@@ -4,7 +4,7 @@ import cga.exercise.game.Scene
 import cga.exercise.game.Step
 import cga.framework.Frame
 import cga.framework.FrameDraw
-import cga.framework.FramePointLight
+import cga.framework.FrameLight
 import cga.grading.capture.Key
 import cga.grading.capture.Moment
 import cga.grading.scene.ObservedCone
@@ -39,24 +39,23 @@ internal object OwnScene {
         time: Double,
         frame: Frame,
     ): ObservedFrame {
-        val points = frame.pointLights.mapIndexed { i, light -> observed("point[$i]", light, frame, null) }
-        val spots =
-            frame.spotLights.mapIndexed { i, spot ->
-                val direction = frame.view.transformDirection(spot.direction, Vector3d())
-                val cone = ObservedCone(direction, spot.innerAngle.toDouble(), spot.outerAngle.toDouble())
-                observed("spot[$i]", spot.light, frame, cone)
-            }
-        val lights = points + spots
+        val (points, spots) = frame.lights.partition { it.cone == null }
+        val lights =
+            points.mapIndexed { i, light -> observed("point[$i]", light, frame) } +
+                spots.mapIndexed { i, light -> observed("spot[$i]", light, frame) }
         val objects = frame.draws.groupBy { it.model to it.tint }.values.map { draws -> observed(draws, frame, lights) }
         return ObservedFrame(moment, time, frame.view, Matrix4d(frame.projection), objects, lights)
     }
 
     private fun observed(
         name: String,
-        light: FramePointLight,
+        light: FrameLight,
         frame: Frame,
-        cone: ObservedCone?,
     ): ObservedLight {
+        val cone =
+            light.cone?.run {
+                ObservedCone(frame.view.transformDirection(direction, Vector3d()), innerAngle.toDouble(), outerAngle.toDouble())
+            }
         val position = frame.view.transformPosition(light.position, Vector3d())
         return ObservedLight(name, position, Vector3d(light.color), Vector3d(light.attenuation), cone)
     }

@@ -35,7 +35,7 @@ class SearchTest {
     fun `points at the limits come up`() {
         val shots = RandomShots(Random(SEED)).run { List(2_000) { next() } }
         assertTrue(shots.any { it.normal.length() == 0f })
-        assertTrue(shots.any { shot -> shot.points.any { it.getWorldPosition() == shot.position } })
+        assertTrue(shots.any { shot -> shot.lights.any { it.getWorldPosition() == shot.position } })
         assertTrue(shots.any { shot -> shot.truth().lights.any { it.distance > 1.85e19 } })
         assertTrue(shots.any { it.k == 0f } && shots.any { it.k > 1e38f })
         assertEquals(SpecularModel.entries.toSet(), shots.map { it.specularModel }.toSet())

@@ -4,7 +4,7 @@ import cga.exercise.components.geometry.Material
 import cga.exercise.components.shader.ShaderProgram
 import cga.exercise.components.texture.Texture2D
 import cga.framework.ColorFormat
-import cga.framework.FramePointLight
+import cga.framework.FrameLight
 import cga.framework.GLError
 import cga.framework.RenderTarget
 import cga.framework.image.ImageData
@@ -45,7 +45,7 @@ class LightingEdgeRenderTest {
         val random = Random(4)
         repeat(300) {
             val points = List(random.nextInt(0, 9)) { point(random.vector(3.0), random.color(), random.attenuation()) }
-            val spots = List(random.nextInt(0, 3)) { spot(random) }
+            val lights = points + List(random.nextInt(0, 3)) { spot(random) }
             val k = listOf(0f, 1f, 8f, 60f, 200f).random(random)
             val surface =
                 Surface(
@@ -59,7 +59,7 @@ class LightingEdgeRenderTest {
                     ambient = random.color(),
                     blinnPhong = random.nextBoolean(),
                 )
-            assertShaded(surface, points, spots, "seed 4, round $it: $surface")
+            assertShaded(surface, lights, "seed 4, round $it: $surface")
         }
     }
 
@@ -69,7 +69,7 @@ class LightingEdgeRenderTest {
         val outer = radians(40.0)
         for (degrees in listOf(0.0, 10.0, 19.9, 20.1, 25.0, 30.0, 35.0, 39.9, 40.1, 60.0, 90.0, 120.0, 180.0)) {
             val light = SpotLight(atAngle(degrees), WHITE, inner, outer, CONSTANT)
-            val lit = shade(facing(light), spots = listOf(light))[0].toDouble()
+            val lit = shade(facing(light), lights = listOf(light))[0].toDouble()
             val expected = (
                 (
                     cos(
@@ -91,8 +91,8 @@ class LightingEdgeRenderTest {
                 val axis = light.getDirection(Vector3d())
                 val position = axis.rotateAxis(share * outer, 0.6, 0.0, 0.8, Vector3d()).mul(3.0)
                 val point = Surface(position = Vector3f(position), normal = Vector3f(position).negate(), specular = BLACK, emissive = BLACK)
-                val expected = reference(point, emptyList(), listOf(light))[0]
-                val lit = shade(point, spots = listOf(light))[0].toDouble()
+                val expected = reference(point, listOf(light))[0]
+                val lit = shade(point, lights = listOf(light))[0].toDouble()
                 assertEquals(expected, lit, coneBound(outer.toDouble()) + DIFFUSE_BOUND, "cone of $degrees°, at $share of it")
             }
         }
@@ -104,10 +104,10 @@ class LightingEdgeRenderTest {
         val points = List(8) { point(random.vector(3.0), random.color()) }
         val spots = List(2) { spot(random) }
         for (surface in bothModels) {
-            assertShaded(surface, points, spots, "all ten")
-            val some = shade(surface, points.take(3), spots.take(1))
-            shade(surface, points, spots)
-            assertArrayEquals(some, shade(surface, points.take(3), spots.take(1)), "what an earlier picture left in the uniforms counts")
+            assertShaded(surface, points + spots, "all ten")
+            val some = shade(surface, points.take(3) + spots.take(1))
+            shade(surface, points + spots)
+            assertArrayEquals(some, shade(surface, points.take(3) + spots.take(1)), "what an earlier picture left in the uniforms counts")
             assertArrayEquals(shade(surface), reference(surface).map { it.toFloat() }.toFloatArray(), ULPS_OF_TWO_TERMS, "no light")
         }
     }
@@ -121,7 +121,7 @@ class LightingEdgeRenderTest {
                 assertArrayEquals(alone, shade(surface, listOf(point(surface.position, WHITE, k), other)), "point light, K = $k")
                 assertArrayEquals(
                     alone,
-                    shade(surface, listOf(other), listOf(SpotLight(surface.position, WHITE, 1f, 1.5f, k))),
+                    shade(surface, listOf(other, SpotLight(surface.position, WHITE, 1f, 1.5f, k))),
                     "spotlight, K = $k",
                 )
             }
@@ -151,7 +151,7 @@ class LightingEdgeRenderTest {
         val awayHalf = rightHalf.copy(normal = Vector3f(0f, -1f, -1f))
         for (dark in listOf(right, rightHalf, away, awayHalf)) assertArrayEquals(shade(dark), shade(dark, listOf(light)), "$dark")
         for (bright in listOf(right.copy(normal = Vector3f(0f, 1f, 1f)), rightHalf.copy(normal = Vector3f(0f, 1f, 1f)))) {
-            assertShaded(bright, listOf(light), emptyList(), "any other cosine to the power of 0 is 1")
+            assertShaded(bright, listOf(light), "any other cosine to the power of 0 is 1")
             assertTrue(shade(bright, listOf(light))[0] > shade(bright)[0] + 0.5f, "a highlight was expected of $bright")
         }
     }
@@ -161,11 +161,11 @@ class LightingEdgeRenderTest {
         val edge = radians(30.0)
         for ((degrees, expected) in mapOf(0.0 to 1f, 29.99 to 1f, 30.01 to 0f, 90.0 to 0f)) {
             val light = SpotLight(atAngle(degrees), WHITE, edge, edge, CONSTANT)
-            assertEquals(expected, shade(facing(light), spots = listOf(light))[0], DIFFUSE_BOUND.toFloat(), "$degrees°")
+            assertEquals(expected, shade(facing(light), lights = listOf(light))[0], DIFFUSE_BOUND.toFloat(), "$degrees°")
         }
         for ((degrees, expected) in mapOf(0.0 to 1f, 0.01 to 0f)) {
             val light = SpotLight(atAngle(degrees), WHITE, 0f, 0f, CONSTANT)
-            assertEquals(expected, shade(facing(light), spots = listOf(light))[0], DIFFUSE_BOUND.toFloat(), "angle 0, at $degrees°")
+            assertEquals(expected, shade(facing(light), lights = listOf(light))[0], DIFFUSE_BOUND.toFloat(), "angle 0, at $degrees°")
         }
     }
 
@@ -179,7 +179,7 @@ class LightingEdgeRenderTest {
                     assertArrayEquals(dark, shade(surface, listOf(point(far, WHITE, k))), "point light at $distance, K = $k")
                     assertArrayEquals(
                         dark,
-                        shade(surface, spots = listOf(SpotLight(far, WHITE, 1f, 1.5f, k))),
+                        shade(surface, lights = listOf(SpotLight(far, WHITE, 1f, 1.5f, k))),
                         "spotlight at $distance, K = $k",
                     )
                 }
@@ -277,10 +277,9 @@ class LightingEdgeRenderTest {
 
     private fun shade(
         surface: Surface,
-        points: List<PointLight> = emptyList(),
-        spots: List<SpotLight> = emptyList(),
+        lights: List<PointLight> = emptyList(),
     ): FloatArray {
-        val program = Gpu.program(points.size, spots.size)
+        val program = Gpu.program(lights.size)
         program.use()
         program.setUniform("modelView", Matrix4f().translation(surface.position), false)
         program.setUniform("normalMatrix", Matrix3f(), false)
@@ -290,22 +289,16 @@ class LightingEdgeRenderTest {
         program.setUniform("ambient", surface.ambient)
         program.setUniform("blinnPhong", surface.blinnPhong)
         program.setUniform("inverseGamma", surface.inverseGamma)
-        points.forEachIndexed { i, light -> light.bind(program, "pointLight[$i]", IDENTITY) }
-        spots.forEachIndexed { i, light -> light.bind(program, "spotLight[$i]", IDENTITY) }
+        lights.forEachIndexed { i, light -> light.bind(program, "light[$i]", IDENTITY) }
         return Gpu.draw(surface, program)
     }
 
     private object Gpu {
-        private val programs = HashMap<Map<String, Int>, ShaderProgram>()
+        private val programs = HashMap<Int, ShaderProgram>()
 
         /** The scene's shaders for so many lights. */
-        fun program(
-            points: Int,
-            spots: Int,
-        ): ShaderProgram =
-            programs.getOrPut(mapOf("POINT_LIGHTS" to points, "SPOT_LIGHTS" to spots)) {
-                ShaderProgram("shaders/scene.vert", "shaders/scene.frag", mapOf("POINT_LIGHTS" to points, "SPOT_LIGHTS" to spots))
-            }
+        fun program(lights: Int): ShaderProgram =
+            programs.getOrPut(lights) { ShaderProgram("shaders/scene.vert", "shaders/scene.frag", mapOf("LIGHTS" to lights)) }
 
         fun draw(
             surface: Surface,
@@ -335,31 +328,28 @@ class LightingEdgeRenderTest {
 
     private fun assertShaded(
         surface: Surface,
-        points: List<PointLight>,
-        spots: List<SpotLight>,
+        lights: List<PointLight>,
         what: String,
     ) {
-        val expected = reference(surface, points, spots)
-        val actual = shade(surface, points, spots)
-        val bound = bound(surface, points, spots)
+        val expected = reference(surface, lights)
+        val actual = shade(surface, lights)
+        val bound = bound(surface, lights)
         for (c in 0..2) assertEquals(expected[c], actual[c].toDouble(), bound, "channel $c; $what")
     }
 
     private fun reference(
         surface: Surface,
-        points: List<PointLight> = emptyList(),
-        spots: List<SpotLight> = emptyList(),
+        lights: List<PointLight> = emptyList(),
     ): DoubleArray {
         val color = DoubleArray(3) { texel(surface.emissive[it]) * surface.tint[it] + texel(surface.diffuse[it]) * surface.ambient[it] }
-        for (light in points) add(surface, light.toFrameLight(), 1.0, color)
-        for (light in spots) add(surface, light.toFrameLight(), intensity(surface, light), color)
+        for (light in lights) light.toFrameLight().let { add(surface, it, intensity(surface, it), color) }
         return color
     }
 
     /** Adds I·F·(M_d·max(cos α, 0) + M_s·max(cos β, 0)^k)·L to [color]. */
     private fun add(
         surface: Surface,
-        light: FramePointLight,
+        light: FrameLight,
         intensity: Double,
         color: DoubleArray,
     ) {
@@ -383,19 +373,19 @@ class LightingEdgeRenderTest {
         }
     }
 
-    private fun attenuation(light: FramePointLight) = { d: Double ->
+    private fun attenuation(light: FrameLight) = { d: Double ->
         1 / (light.attenuation.x() + light.attenuation.y() * d + light.attenuation.z() * d * d)
     }
 
     /** The sheet's formula with the prose's angles. */
     private fun intensity(
         surface: Surface,
-        light: SpotLight,
+        light: FrameLight,
     ): Double {
-        val spot = light.toFrameSpotLight()
-        val fromLight = Vector3d(surface.position).sub(spot.light.position).normalize()
-        val outer = cos(spot.outerAngle.toDouble())
-        return ((fromLight.dot(spot.direction) - outer) / (cos(spot.innerAngle.toDouble()) - outer)).coerceIn(0.0, 1.0)
+        val cone = light.cone ?: return 1.0
+        val fromLight = Vector3d(surface.position).sub(light.position).normalize()
+        val outer = cos(cone.outerAngle.toDouble())
+        return ((fromLight.dot(cone.direction) - outer) / (cos(cone.innerAngle.toDouble()) - outer)).coerceIn(0.0, 1.0)
     }
 
     /** What an 8-bit texture makes of a colour channel. */
@@ -413,10 +403,9 @@ class LightingEdgeRenderTest {
      */
     private fun bound(
         surface: Surface,
-        points: List<PointLight>,
-        spots: List<SpotLight>,
+        lights: List<PointLight>,
     ): Double {
-        fun term(light: FramePointLight): Double {
+        fun term(light: FrameLight): Double {
             val toLight = light.position.sub(Vector3d(surface.position), Vector3d())
             val d = toLight.length()
             val s = (surface.position.length() + light.position.length()) / d
@@ -426,15 +415,14 @@ class LightingEdgeRenderTest {
             return attenuation(light)(d) * light.color.get(light.color.maxComponent()) * errors * U
         }
 
-        fun coneTerm(light: SpotLight): Double {
-            val spot = light.toFrameSpotLight()
-            val brightest = spot.light.color.get(spot.light.color.maxComponent())
-            val d = spot.light.position.distance(Vector3d(surface.position))
+        fun coneTerm(light: FrameLight): Double {
+            val cone = light.cone ?: return 0.0
+            val brightest = light.color.get(light.color.maxComponent())
+            val d = light.position.distance(Vector3d(surface.position))
             // Diffuse and specular together reflect at most twice the light.
-            return 2 * attenuation(spot.light)(d) * brightest * coneBound(spot.outerAngle.toDouble(), spot.innerAngle.toDouble())
+            return 2 * attenuation(light)(d) * brightest * coneBound(cone.outerAngle.toDouble(), cone.innerAngle.toDouble())
         }
-        val lights = points.map { it.toFrameLight() } + spots.map { it.toFrameLight() }
-        return lights.sumOf(::term) + spots.sumOf(::coneTerm) + ULPS_OF_TWO_TERMS
+        return lights.map { it.toFrameLight() }.sumOf { term(it) + coneTerm(it) } + ULPS_OF_TWO_TERMS
     }
 
     /**

@@ -10,6 +10,7 @@ import cga.testing.assertNear
 import cga.testing.assertRefused
 import org.joml.Matrix4d
 import org.joml.Matrix4f
+import org.joml.Vector2f
 import org.joml.Vector3d
 import org.joml.Vector3f
 import org.joml.Vector3fc
@@ -23,12 +24,14 @@ class PointLightTest {
 
     @Test
     fun `it sends position, colour and attenuation to the struct of the name`() {
-        PointLight(Vector3f(1f, 2f, 3f), Vector3f(0.5f, 4f, 0f), Vector3f(1f, 0f, 0.5f)).bind(program, "pointLight[3]")
+        PointLight(Vector3f(1f, 2f, 3f), Vector3f(0.5f, 4f, 0f), Vector3f(1f, 0f, 0.5f)).bind(program, "light[3]")
         val expected =
             mapOf(
-                "pointLight[3].position" to Vector3f(1f, 2f, 3f),
-                "pointLight[3].color" to Vector3f(0.5f, 4f, 0f),
-                "pointLight[3].attenuation" to Vector3f(1f, 0f, 0.5f),
+                "light[3].position" to Vector3f(1f, 2f, 3f),
+                "light[3].color" to Vector3f(0.5f, 4f, 0f),
+                "light[3].attenuation" to Vector3f(1f, 0f, 0.5f),
+                "light[3].direction" to Vector3f(),
+                "light[3].cone" to Vector2f(3f, 4f),
             )
         assertEquals(expected, program.sent)
     }
@@ -43,7 +46,7 @@ class PointLightTest {
     fun `one light can go by several names in turn`() {
         val light = PointLight(Vector3f(1f, 2f, 3f), white)
         for (name in listOf("a", "b", "a")) light.bind(program, name)
-        assertEquals(6, program.sent.size)
+        assertEquals(10, program.sent.size)
         assertEquals(program.vector("a.position"), program.vector("b.position"))
     }
 

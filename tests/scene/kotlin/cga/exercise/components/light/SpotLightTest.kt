@@ -27,14 +27,14 @@ class SpotLightTest {
 
     @Test
     fun `it sends what a point light sends, the direction and the cone`() {
-        SpotLight(Vector3f(1f, 2f, 3f), Vector3f(4f, 5f, 6f), 0f, QUARTER).bind(program, "spotLight[1]")
+        SpotLight(Vector3f(1f, 2f, 3f), Vector3f(4f, 5f, 6f), 0f, QUARTER).bind(program, "light[1]")
         val expected =
             mapOf(
-                "spotLight[1].position" to Vector3f(1f, 2f, 3f),
-                "spotLight[1].color" to Vector3f(4f, 5f, 6f),
-                "spotLight[1].attenuation" to Vector3f(0.5f, 0.05f, 0.01f),
-                "spotLight[1].direction" to Vector3f(0f, 0f, -1f),
-                "spotLight[1].cone" to Vector2f(0f, 1f),
+                "light[1].position" to Vector3f(1f, 2f, 3f),
+                "light[1].color" to Vector3f(4f, 5f, 6f),
+                "light[1].attenuation" to Vector3f(0.5f, 0.05f, 0.01f),
+                "light[1].direction" to Vector3f(0f, 0f, -1f),
+                "light[1].cone" to Vector2f(0f, 1f),
             )
         assertEquals(expected.keys, program.sent.keys)
         for ((name, value) in expected) assertNear(value, program.sent.getValue(name), 0.0, name)
@@ -114,11 +114,12 @@ class SpotLightTest {
     @Test
     fun `as plain data it keeps its angles and its direction`() {
         val light = SpotLight(Vector3f(1f, 2f, 3f), white, 0.1f, 0.2f)
-        val data = light.toFrameSpotLight()
+        val data = light.toFrameLight()
         light.rotateLocal(1f, 1f, 1f)
-        assertEquals(listOf(0.1f, 0.2f), listOf(data.innerAngle, data.outerAngle))
-        assertNear(Vector3d(0.0, 0.0, -1.0), data.direction, 0.0)
-        assertEquals(Vector3d(1.0, 2.0, 3.0), data.light.position)
+        val cone = checkNotNull(data.cone)
+        assertEquals(listOf(0.1f, 0.2f), listOf(cone.innerAngle, cone.outerAngle))
+        assertNear(Vector3d(0.0, 0.0, -1.0), cone.direction, 0.0)
+        assertEquals(Vector3d(1.0, 2.0, 3.0), data.position)
     }
 
     @Test

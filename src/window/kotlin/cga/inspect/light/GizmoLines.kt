@@ -1,4 +1,4 @@
-package cga.inspect.gizmo
+package cga.inspect.light
 
 import org.joml.Vector3d
 import org.joml.Vector3dc

@@ -1,16 +1,14 @@
-package cga.inspect.gizmo
+package cga.inspect.light
 
+import cga.exercise.components.camera.TronCamera
 import cga.exercise.components.shader.ShaderProgram
-import cga.exercise.game.Scene
 import org.joml.Matrix4d
 import org.joml.Matrix4f
-import org.joml.Vector2f
-import org.joml.Vector3d
 import org.lwjgl.opengl.GL33C.*
 import org.lwjgl.system.MemoryUtil
 
-/** Shows where the lights are: a star at each, and the inner and the outer cone of those that have one. Needs the OpenGL context. */
-internal class Gizmos(private val scene: Scene) : AutoCloseable {
+/** Shows where the lights are. Needs the OpenGL context. */
+internal class Gizmos(private val camera: TronCamera) : AutoCloseable {
     private val program = ShaderProgram("shaders/inspect/lines.vert", "shaders/inspect/lines.frag")
     private val lines = GizmoLines(MemoryUtil.memAllocFloat(MAX_VERTICES * GizmoLines.FLOATS))
     private val vao = glGenVertexArrays()
@@ -19,9 +17,6 @@ internal class Gizmos(private val scene: Scene) : AutoCloseable {
     private val toClip = Matrix4d()
     private val projection = Matrix4f()
     private val sent = Matrix4f()
-    private val position = Vector3d()
-    private val direction = Vector3d()
-    private val cone = Vector2f()
 
     init {
         glBindVertexArray(vao)
@@ -33,11 +28,13 @@ internal class Gizmos(private val scene: Scene) : AutoCloseable {
         glBindVertexArray(0)
     }
 
-    /** Draws them over the scene that was just drawn, whose depth is still there: faintly where they are behind something. */
-    fun draw() {
-        trace()
-        scene.camera.calculateViewMatrix(view)
-        toClip.set(scene.camera.calculateProjectionMatrix(projection)).mul(view)
+    /** Draws [lights] over the scene that was just drawn, whose depth is still there: faintly where they are behind something. */
+    fun draw(lights: List<InspectedLight>) {
+        lines.clear()
+        for (i in lights.indices) lights[i].draw(lines)
+        lines.vertices.flip()
+        camera.calculateViewMatrix(view)
+        toClip.set(camera.calculateProjectionMatrix(projection)).mul(view)
         glBindVertexArray(vao)
         glBindBuffer(GL_ARRAY_BUFFER, vbo)
         glBufferData(GL_ARRAY_BUFFER, lines.vertices, GL_STREAM_DRAW)
@@ -61,25 +58,6 @@ internal class Gizmos(private val scene: Scene) : AutoCloseable {
         glDepthFunc(depth)
         program.setUniform("strength", strength)
         glDrawArrays(GL_LINES, 0, lines.vertices.limit() / GizmoLines.FLOATS)
-    }
-
-    private fun trace() {
-        lines.clear()
-        val points = scene.lights.points
-        for (i in points.indices) {
-            lines.color(points[i].lightColor)
-            lines.marker(points[i].getWorldPosition(position))
-        }
-        val spots = scene.lights.spots
-        for (i in spots.indices) {
-            lines.color(spots[i].lightColor)
-            lines.marker(spots[i].getWorldPosition(position))
-            spots[i].getDirection(direction)
-            spots[i].getCone(cone)
-            lines.cone(position, direction, cone.x.toDouble())
-            lines.cone(position, direction, cone.y.toDouble())
-        }
-        lines.vertices.flip()
     }
 
     override fun close() {

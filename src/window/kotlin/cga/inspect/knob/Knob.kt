@@ -1,4 +1,7 @@
-package cga.inspect.tune
+package cga.inspect.knob
+
+import org.joml.Vector3f
+import org.joml.Vector3fc
 
 /**
  * A number of the scene that the panel can turn.
@@ -36,3 +39,17 @@ internal class KnobGroup(
     val title: String,
     val knobs: List<Knob>,
 )
+
+/** Three knobs, called [x], [y] and [z], for the components of a vector. */
+internal fun axes(
+    x: String,
+    y: String,
+    z: String,
+    min: Float,
+    max: Float,
+    get: () -> Vector3fc,
+    set: (Vector3fc) -> Unit,
+): List<Knob> =
+    listOf(x, y, z).mapIndexed { i, name ->
+        Knob(name, min, max, { get()[i] }) { value -> set(Vector3f(get()).setComponent(i, value)) }
+    }

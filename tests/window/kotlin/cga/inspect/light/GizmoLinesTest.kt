@@ -1,4 +1,4 @@
-package cga.inspect.gizmo
+package cga.inspect.light
 
 import cga.testing.FLOAT_ROUNDING
 import cga.testing.assertNear

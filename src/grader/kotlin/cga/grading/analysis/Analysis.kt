@@ -52,7 +52,7 @@ internal class Analysis(
                     verdict.mistakes,
                     study.plots,
                     pictures,
-                    (study.notes + scene.notes + eventNotes()).map(Message::plain),
+                    study.notes.map(Message::plain) + scene.notes + eventNotes().map(Message::plain),
                 )
             }
         }

@@ -6,6 +6,7 @@ import cga.grading.findings.Found
 import cga.grading.findings.Measured
 import cga.grading.findings.Message
 import cga.grading.findings.Mistake
+import cga.grading.findings.Standing
 import kotlin.math.floor
 
 /**
@@ -69,9 +70,10 @@ public class Grade private constructor(
             val explanation = others.find { it.explains?.contains(check) == true && (it.mistake != Mistake.UNKNOWN || error != null) }
             return when {
                 own != null -> result(CheckState.MISTAKE, 1 - rubric.cost(own), own)
+                // What is not there has nothing to be right.
+                measured?.standing == Standing.ABSENT -> result(CheckState.NOT_FOUND, 0.0)
                 explanation != null && !(error != null && error <= rule.tolerance) -> result(CheckState.EXPLAINED, 1.0, explanation.mistake)
-                measured == null || (error == null && measured.found) -> result(CheckState.OPEN, null)
-                error == null || !measured.found -> result(CheckState.NOT_FOUND, 0.0)
+                measured == null || error == null -> result(CheckState.OPEN, null)
                 error <= rule.tolerance -> result(CheckState.RIGHT, 1.0)
                 else -> {
                     val cause = others.find { it.disturbs(check) }

@@ -89,7 +89,8 @@ internal fun <H, S> tryAll(
     // A light may be at the camera: then what is left is measured in whole units.
     val reach = max(samples.sumOf { (_, value) -> value.length() } / max(1, samples.size), LEAST_REACH)
     val tried = hypotheses.mapNotNull { hypothesis ->
-        fit(samples.map { (where, value) -> equation(matrix(hypothesis, where), value) })?.let { Tried(hypothesis, it.point, it.left / reach) }
+        val fit = fit(samples.map { (where, value) -> equation(matrix(hypothesis, where), value) })
+        fit?.let { Tried(hypothesis, it.point, it.left / reach) }
     }
     return Trial(tried, tolerance)
 }

@@ -52,8 +52,7 @@ internal class Turn(
     val tilt: Double = angle(axis, UP).let { minOf(it, PI - it) }
 
     /** From the axis to the camera's own upward axis, radians in [0, π/2]. */
-    val fromOwnAxis: Double =
-        angle(axis, before.motorcycleTurn.transform(then.column(1))).let { minOf(it, PI - it) }
+    val fromOwnAxis: Double = angle(axis, before.motorcycleTurn.transform(then.column(1))).let { minOf(it, PI - it) }
 
     /** Whether the motorcycle itself was turned in the world, radians. */
     val motorcycleTurned: Double = angle(Matrix3d(after.motorcycleTurn).mul(Matrix3d(before.motorcycleTurn).transpose()))
@@ -76,7 +75,7 @@ internal class Turn(
         return before.motorcycleFrame.transformPosition(point)
     }
 
-    /** The least displacement |(R − 1)c + t| of a point of [box], minimised along one coordinate after the other; convex, so it converges. */
+    /** The least displacement |(R − 1)c + t| of a point of [box], minimised along one coordinate after the other, which is convex. */
     private fun displacement(box: Bounds): Double {
         val matrix = Matrix3d(rotation).sub(Matrix3d())
         val point = Vector3d().max(box.least).min(box.most)

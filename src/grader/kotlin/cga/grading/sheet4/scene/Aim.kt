@@ -26,7 +26,8 @@ internal class Aim(private val staging: Staging, private val isConeSent: Boolean
         val shots = if (spot.late) timeline.settledShots else timeline.laterShots
         val samples = samples(spot, shots)
         if (samples.isEmpty() && !isConeSent) return listOf(Axis.right(CHECK, 0.0, say("aim.with-cone")))
-        if (samples.isEmpty()) return listOf(Axis.right(CHECK, 1.0, say("aim.none", spot.name)).lacking(say("lack.direction", spot.name), Check.CONE))
+        if (samples.isEmpty() && !spot.isSpot) return listOf(Axis.open(CHECK, say("spot.uneven", spot.name)))
+        if (samples.isEmpty()) return listOf(none(spot))
         val always = trial(samples)
         val straight = if (always.holding.isEmpty()) straight(spot, samples) else null
         val swings = straight?.let { Axis.note(say("aim.swings", spot.name)) }
@@ -46,6 +47,9 @@ internal class Aim(private val staging: Staging, private val isConeSent: Boolean
             else -> wrongSpace(spot, trial)
         }
     }
+
+    private fun none(spot: PlacedLight) =
+        Axis.right(CHECK, 1.0, say("aim.none", spot.name)).lacking(say("lack.direction", spot.name), Check.CONE)
 
     private fun samples(spot: PlacedLight, shots: List<Shot>) = shots.mapNotNull { shot ->
         val direction = spot.track.at(shot.moment)?.spot?.direction ?: return@mapNotNull null
@@ -79,7 +83,7 @@ internal class Aim(private val staging: Staging, private val isConeSent: Boolean
     private fun wrongSpace(spot: PlacedLight, trial: Trial<Chain>): Axis {
         val error = trial.residual(Chain.CHILD)
         val best = trial.holding.firstOrNull() ?: trial.nearest?.takeIf { it.residual < TELLS * error }
-        val what = best?.hypothesis?.let(::name) ?: say("aim.off", Math.toDegrees(error))
+        val what = best?.hypothesis?.let(::name) ?: say("aim.off", error)
         val text = say("aim.wrong", spot.name, what)
         val mistake = best?.hypothesis?.let(::mistake) ?: return Axis.right(CHECK, error, text)
         // Of a motorcycle that never turned nobody can say which of the two it was.
@@ -95,7 +99,9 @@ internal class Aim(private val staging: Staging, private val isConeSent: Boolean
                 aim == Chain.CONSTANT -> "aim.constant"
                 aim == Chain.STATIC -> "aim.stays"
                 aim.space == Space.RAW -> "aim.world"
-                else -> "aim.${aim.space.key}"
+                aim.space == Space.CAMERA -> "aim.camera-matrix"
+                aim.space == Space.TWICE -> "aim.view-twice"
+                else -> "aim.first-view"
             },
         )
 
@@ -106,14 +112,14 @@ internal class Aim(private val staging: Staging, private val isConeSent: Boolean
         val isBackwards = forwards.isNotEmpty() && forwards.all { it < -BEHIND }
         val fault =
             when {
-                isBackwards && world.y > 0 -> "backwards-up"
-                isBackwards -> "backwards"
-                world.y > LEVEL -> "up"
+                isBackwards && world.y > 0 -> "aim.points.backwards-up"
+                isBackwards -> "aim.points.backwards"
+                world.y > LEVEL -> "aim.points.up"
                 world.y > -LEVEL -> return Axis.wrong(CHECK, UNTILTED, say("aim.level", spot.name, world), Mistake.UNKNOWN, spot.name)
                 else -> return Axis.right(CHECK, residual, say("aim.right", spot.name, world))
             }
         val radians = radians(local)
-        val points = say("aim.points.$fault")
+        val points = say(fault)
         return when {
             radians != null -> {
                 val text = say("aim.radians", spot.name, world, points, radians)
@@ -124,7 +130,7 @@ internal class Aim(private val staging: Staging, private val isConeSent: Boolean
                 Axis.wrong(CHECK, 1.0, say("aim.straight", spot.name, world, along), Mistake.UNKNOWN, spot.name)
             }
             else -> {
-                val where = say("aim.where", spot.name, points)
+                val where = "${spot.name} points ${if (isBackwards) "backwards" else "up"}"
                 Axis.wrong(CHECK, 1.0, say("aim.sign", spot.name, world, points), Mistake.SPOT_DIRECTION_SIGN, where, residual)
             }
         }

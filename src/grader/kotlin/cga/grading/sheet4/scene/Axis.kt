@@ -3,6 +3,7 @@ package cga.grading.sheet4.scene
 import cga.grading.findings.Check
 import cga.grading.findings.Found
 import cga.grading.findings.Measured
+import cga.grading.findings.Message
 import cga.grading.findings.Mistake
 
 /** What is lacking: the colours of the emission, the motorcycle's own, or anything else. */
@@ -14,7 +15,7 @@ internal enum class LackKind { COLOR, OWN_COLOR, OTHER }
  * @param checks that cannot be right without it.
  * @param hides mistakes that it looks like.
  */
-internal class Lack(val text: String, val checks: Set<Check>, val kind: LackKind, val hides: Set<Mistake>)
+internal class Lack(val text: Message, val checks: Set<Check>, val kind: LackKind, val hides: Set<Mistake>)
 
 /**
  * What one axis of the fitted model says.
@@ -28,38 +29,38 @@ internal class Axis private constructor(
     val measured: Measured?,
     val mistake: Found? = null,
     val lack: Lack? = null,
-    val note: String? = null,
+    val note: Message? = null,
 ) {
     /** The same, which numbers that never arrive would explain: [text] is lacking, and [more] checks cannot be right without. */
-    fun lacking(text: String, vararg more: Check, kind: LackKind = LackKind.OTHER, hides: Set<Mistake> = emptySet()): Axis =
+    fun lacking(text: Message, vararg more: Check, kind: LackKind = LackKind.OTHER, hides: Set<Mistake> = emptySet()): Axis =
         Axis(measured, mistake, Lack(text, setOfNotNull(measured?.check) + more, kind, hides), note)
 
-    /** The same without a name. */
-    fun unnamed(): Axis = Axis(measured, null, null, note)
+    /** The same without a name, as something that was measured: what explains it is charged. */
+    fun unnamed(): Axis = Axis(measured?.let { if (it.found) it else Measured.of(it.check, 1.0, it.message) }, null, null, note)
 
     companion object {
-        fun right(check: Check, error: Double, text: String): Axis = Axis(Measured(check, bounded(error), text))
+        fun right(check: Check, error: Double, text: Message): Axis = Axis(Measured.of(check, bounded(error), text))
 
         /** What could not be seen: for a person. */
-        fun open(check: Check, text: String): Axis = Axis(Measured(check, null, text))
+        fun open(check: Check, text: Message): Axis = Axis(Measured.open(check, text))
 
         /** What is not there earns nothing. */
-        fun absent(check: Check, text: String, mistake: Found? = null): Axis = Axis(Measured(check, 1.0, text, found = false), mistake)
+        fun absent(check: Check, text: Message, mistake: Found? = null): Axis = Axis(Measured.absent(check, text), mistake)
 
         fun wrong(
             check: Check,
             error: Double,
-            text: String,
+            text: Message,
             mistake: Mistake,
             where: String,
             fit: Double = 0.0,
             alternatives: List<Mistake> = emptyList(),
-            explains: Set<Check> = emptySet(),
-        ): Axis = Axis(Measured(check, bounded(error), text), found(mistake, where, error, fit, alternatives, explains))
+            explains: Set<Check>? = null,
+        ): Axis = Axis(Measured.of(check, bounded(error), text), found(mistake, where, error, fit, alternatives, explains))
 
-        fun note(text: String): Axis = Axis(null, note = text)
+        fun note(text: Message): Axis = Axis(null, note = text)
 
-        fun named(mistake: Found, note: String?): Axis = Axis(null, mistake, note = note)
+        fun named(mistake: Found, note: Message?): Axis = Axis(null, mistake, note = note)
 
         fun found(
             mistake: Mistake,
@@ -67,7 +68,7 @@ internal class Axis private constructor(
             error: Double = 1.0,
             fit: Double = 0.0,
             alternatives: List<Mistake> = emptyList(),
-            explains: Set<Check> = emptySet(),
+            explains: Set<Check>? = null,
         ): Found = Found(mistake, bounded(if (mistake == Mistake.UNKNOWN) 1.0 else fit), bounded(error), where, alternatives, explains)
 
         private fun bounded(error: Double) = if (error.isNaN()) 1.0 else error.coerceIn(0.0, 1.0)
@@ -76,7 +77,7 @@ internal class Axis private constructor(
 
 /** The worst that is said of each check. */
 internal fun List<Axis>.checks(): List<Measured> =
-    mapNotNull { it.measured }.groupBy { it.check }.values.map { same -> same.maxWith(compareBy({ it.error ?: -1.0 }, { !it.found })) }
+    mapNotNull { it.measured }.groupBy { it.check }.values.map { same -> same.maxBy { if (it.found) it.error ?: -1.0 else 2.0 } }
 
 /** The mistakes, the same on several lights once: what explains much comes first. */
 internal fun List<Axis>.mistakes(): List<Found> =
@@ -87,7 +88,7 @@ internal fun List<Axis>.mistakes(): List<Found> =
             same.maxOf { it.difference },
             same.map { it.where }.distinct().joinToString(),
             same.flatMap { it.alternatives }.distinct(),
-            same.flatMap { it.explains.orEmpty() }.toSet(),
+            same.mapNotNull { it.explains }.takeIf { it.isNotEmpty() }?.flatten()?.toSet(),
         )
     }.sortedBy { found -> TELLING.indexOf(found.mistake).let { if (it < 0) TELLING.size + found.mistake.ordinal else it } }
 

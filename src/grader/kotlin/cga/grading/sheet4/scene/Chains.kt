@@ -1,5 +1,6 @@
 package cga.grading.sheet4.scene
 
+import cga.grading.findings.Message
 import cga.grading.scene.Shot
 import cga.grading.scene.rotationPart
 import cga.grading.scene.scale
@@ -9,22 +10,22 @@ import org.joml.Matrix4dc
 
 /** What carries a light: its own space → world space. Wanted is the motorcycle. */
 internal enum class Parent(val rides: Boolean, val key: String, val matrix: (Shot) -> Matrix4dc) {
-    MOTORCYCLE(true, "moves-and-turns", { it.motorcycle }),
-    WORLD(false, "stays", { Matrix4d() }),
-    FOLLOWER(true, "moves-only", { Matrix4d().translation(it.motorcycle.translation()) }),
-    TWICE(true, "model-twice", { Matrix4d(it.motorcycle).mul(it.motorcycle) }),
+    MOTORCYCLE(true, "place.moves-and-turns", { it.motorcycle }),
+    WORLD(false, "place.stays", { Matrix4d() }),
+    FOLLOWER(true, "place.moves-only", { Matrix4d().translation(it.motorcycle.translation()) }),
+    TWICE(true, "place.model-twice", { Matrix4d(it.motorcycle).mul(it.motorcycle) }),
 }
 
-/** What takes a light from world space to the space in which it is used as if that were view space. Wanted is the view matrix. */
+/** What takes a light from world space to where it is used as if that were view space. Wanted is the view matrix. */
 internal enum class Space(val key: String, val matrix: (Shot) -> Matrix4dc) {
-    VIEW("viewed", { it.view }),
-    RAW("never-viewed", { Matrix4d() }),
-    SCALED("stretched", { Matrix4d().scaling(1 / it.motorcycle.scale()).mul(it.view) }),
-    TWICE("view-twice", { Matrix4d(it.view).mul(it.view) }),
-    TURNED("turned-only", { Matrix4d().set(it.viewTurn) }),
-    CAMERA("camera-matrix", { it.fromView }),
-    TRANSPOSED("transposed", { Matrix4d().set(it.viewTurn).transpose() }),
-    FIRST_VIEW("first-view", { it.firstView }),
+    VIEW("place.stays", { it.view }),
+    RAW("place.never-viewed", { Matrix4d() }),
+    SCALED("place.stretched", { Matrix4d().scaling(1 / it.motorcycle.scale()).mul(it.view) }),
+    TWICE("place.view-twice", { Matrix4d(it.view).mul(it.view) }),
+    TURNED("place.turned-only", { Matrix4d().set(it.viewTurn) }),
+    CAMERA("place.camera-matrix", { it.fromView }),
+    TRANSPOSED("place.transposed", { Matrix4d().set(it.viewTurn).transpose() }),
+    FIRST_VIEW("place.first-view", { it.firstView }),
 }
 
 /**
@@ -39,12 +40,12 @@ internal data class Chain(val space: Space, val parent: Parent) {
     val rides: Boolean? get() = if (this == CONSTANT) null else parent.rides
 
     /** What is said of it, for people. */
-    val text: String
+    val text: Message
         get() = say(
             when {
                 this == CONSTANT -> "place.constant"
-                isViewed || parent == Parent.TWICE -> "place.${parent.key}"
-                else -> "place.${space.key}"
+                isViewed || parent == Parent.TWICE -> parent.key
+                else -> space.key
             },
         )
 

@@ -2,6 +2,7 @@ package cga.grading.sheet4.scene
 
 import cga.grading.capture.Moment
 import cga.grading.findings.Check
+import cga.grading.findings.Message
 import cga.grading.findings.Mistake
 import cga.grading.scene.Equation
 import cga.grading.scene.Track
@@ -14,7 +15,7 @@ import kotlin.math.max
 /**
  * Task 4.4: the ground's colour stays, the motorcycle's changes with time, its light shines in the same.
  *
- * @param isSent whether something is sent that no shader takes: then a colour that nothing shows may have been sent.
+ * @param isSent whether something is sent that a shader declares and does not use: then a colour that nothing shows may have been sent.
  * @param isLate whether the motorcycle's light is bound too late, which costs at the order.
  */
 internal class Colors(private val staging: Staging, private val isSent: Boolean, private val isLate: Boolean) {
@@ -42,14 +43,17 @@ internal class Colors(private val staging: Staging, private val isSent: Boolean,
     private fun ignored(): Axis {
         val explains = if (isSent) setOf(Check.GROUND_COLOR, Check.MOTORCYCLE_COLOR) else emptySet()
         val ties = listOf(Mistake.COLOR_CONSTANT)
-        val found = Axis.found(Mistake.EMISSION_COLOR_IGNORED, say("color.things"), alternatives = ties, explains = explains)
+        val found = Axis.found(Mistake.EMISSION_COLOR_IGNORED, "ground and motorcycle", alternatives = ties, explains = explains)
         return Axis.named(found, null)
     }
+
+    /** Nothing is there, or it was sent and cannot be seen: then what does not take it costs. */
+    private fun none(check: Check, text: Message) = if (isSent) Axis.right(check, 1.0, text) else Axis.absent(check, text)
 
     /** The emission is multiplied with black, always: no colour arrives. */
     private fun black(): List<Axis> {
         val checks = setOf(Check.GROUND_COLOR, Check.MOTORCYCLE_COLOR)
-        return checks.map { Axis.wrong(it, 1.0, say("color.black"), Mistake.EMISSION_MISSING, say("color.things"), explains = checks) }
+        return checks.map { Axis.wrong(it, 1.0, say("color.black"), Mistake.EMISSION_MISSING, "ground and motorcycle", explains = checks) }
             .map { it.lacking(say("lack.colour"), kind = LackKind.COLOR) }
     }
 
@@ -60,7 +64,7 @@ internal class Colors(private val staging: Staging, private val isSent: Boolean,
 
     private fun ground(): Axis {
         if (cast.ground == null) return Axis.open(Check.GROUND_COLOR, say("color.no-ground"))
-        val color = ground.lastOrNull()?.color ?: return Axis.absent(Check.GROUND_COLOR, say("color.none", say("color.ground")))
+        val color = ground.lastOrNull()?.color ?: return none(Check.GROUND_COLOR, say("color.no-ground-colour"))
         val change = spread(ground) / max(ground.maxOf { it.color.maxAbs() }, DARK)
         val (error, text) =
             when {
@@ -76,7 +80,7 @@ internal class Colors(private val staging: Staging, private val isSent: Boolean,
 
     private fun motorcycle(): Axis {
         val check = Check.MOTORCYCLE_COLOR
-        val last = motorcycle.lastOrNull() ?: return Axis.absent(check, say("color.none", say("color.motorcycle")))
+        val last = motorcycle.lastOrNull() ?: return none(check, say("color.no-motorcycle-colour"))
         val standing = motorcycle.filter { it.moment in STANDING }
         if (standing.size < 2) return Axis.open(check, say("color.few-frames"))
         val isOfStep = !isStill && isOfStep()
@@ -89,8 +93,8 @@ internal class Colors(private val staging: Staging, private val isSent: Boolean,
                 else -> say("color.always", last.color)
             }
         // A constant of the shader lets none through that the program sends.
-        if (isWritten()) return Axis.wrong(check, 1.0, text, Mistake.EMISSION_COLOR_IGNORED, say("color.motorcycle"), explains = setOf(check))
-        val wrong = Axis.wrong(check, 1.0, text, Mistake.COLOR_CONSTANT, say("color.motorcycle"))
+        if (isWritten()) return Axis.wrong(check, 1.0, text, Mistake.EMISSION_COLOR_IGNORED, "motorcycle", explains = setOf(check))
+        val wrong = Axis.wrong(check, 1.0, text, Mistake.COLOR_CONSTANT, "motorcycle")
         val isBlack = motorcycle.all { it.color.maxAbs() < DARK }
         return when {
             isBlack -> wrong.lacking(say("lack.colour"), kind = LackKind.COLOR)
@@ -112,7 +116,7 @@ internal class Colors(private val staging: Staging, private val isSent: Boolean,
     }
 
     private fun light(): Axis {
-        val own = staging.roles.own ?: return Axis.absent(CHECK, say("color.no-light"))
+        val own = staging.roles.own ?: return Axis.absent(CHECK, say("color.no-light")).lacking(say("lack.point"))
         val isPlain = motorcycle.lastOrNull()?.color?.let { it.distance(WHITE) < PLAIN || it.maxAbs() < DARK } ?: true
         val changes = motorcycle.isNotEmpty() && !isStill
         if (!changes && (own.track.changesColor || isPlain)) {
@@ -120,26 +124,20 @@ internal class Colors(private val staging: Staging, private val isSent: Boolean,
             val does = own.track.changesColor
             return Axis.right(CHECK, if (does) 0.0 else 1.0, say(if (does) "color.light-changes" else "color.light-still", own.name))
         }
-        val worn = staging.roles.spot?.takeIf { it !== own && isShared(own) && staging.isOneColor(own, it) }
+        val worn = staging.roles.spot?.takeIf { it !== own && staging.isOverwritten(own) && staging.isOneColor(own, it) }
         if (worn != null) return Axis.right(CHECK, 0.0, say("color.light-worn", own.name, worn.name))
         return sameColor(own)
     }
-
-    private fun isShared(own: PlacedLight) = staging.sharing?.run { kind == SharingKind.OVERWRITTEN && own in lights } == true
 
     /** Whether [own] shines in the motorcycle's colour, times an intensity; or in that of a picture before. */
     private fun sameColor(own: PlacedLight): Axis {
         val errors = (0..MOST_LATE).mapNotNull { lag -> pairs(own, lag).takeIf { it.isNotEmpty() }?.let(::difference) }
         val error = errors.firstOrNull() ?: return Axis.open(CHECK, say("color.no-frame", own.name))
-        if (error <= DIFFERS) return Axis.right(CHECK, error, say("color.light-is", own.name, own.track.last.color, motorcycle.last().color))
+        val told = say("color.light-is", own.name, own.track.last.color, motorcycle.last().color)
+        if (error <= DIFFERS) return Axis.right(CHECK, error, told)
         val lag = errors.indices.find { it > 0 && pairs(own, it).size > 1 && errors[it] <= DIFFERS }
         if (lag != null && isLate) return Axis.right(CHECK, 0.0, say("color.light-bound-late", own.name))
-        val text =
-            if (lag == null) {
-                say("color.light-is", own.name, own.track.last.color, motorcycle.last().color)
-            } else {
-                say("color.light-lags", own.name, lag)
-            }
+        val text = if (lag == null) told else say("color.light-lags", own.name, lag)
         return Axis.wrong(CHECK, error, text, Mistake.LIGHT_COLOR_DIFFERS, own.name)
     }
 
@@ -174,7 +172,7 @@ internal class Colors(private val staging: Staging, private val isSent: Boolean,
 
     private fun spread(tints: List<Tint>): Double = tints.maxOfOrNull { it.color.distance(tints.first().color) } ?: 0.0
 
-    private fun list(tints: List<Tint>) = tints.joinToString { say("color.color", it.color) }
+    private fun list(tints: List<Tint>) = tints.map { it.color }
 
     private companion object {
         val CHECK = Check.LIGHT_COLOR

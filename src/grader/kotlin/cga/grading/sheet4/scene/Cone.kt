@@ -62,7 +62,7 @@ internal object Cone {
     private fun isOfTwice(angle: Double) =
         angle > 0 && (1..MOST_DEGREES).any { abs(cos(Math.toRadians(Math.toRadians(it.toDouble()))) - cos(angle)) <= ROUNDED }
 
-    private fun degrees(angle: Double) = if (angle.isNaN()) say("cone.no-angle") else say("cone.degrees", Math.toDegrees(angle))
+    private fun degrees(angle: Double) = if (angle.isNaN()) say("cone.no-angle") else say("cone.degrees", angle)
 
     private val CHECK = Check.CONE
 

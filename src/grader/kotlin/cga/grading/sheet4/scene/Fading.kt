@@ -26,8 +26,10 @@ internal class Fading(private val staging: Staging) {
         val model = roles.own ?: roles.further.find { !Faded(it, Check.ATTENUATION_POINT, pointK).isWrong }
         val point = model?.let { Faded(it, Check.ATTENUATION_POINT, pointK) }
         val spot = roles.spot?.let { Faded(it, Check.ATTENUATION_SPOT, spotK) }
-        val missing = if (point == null) Axis.absent(Check.ATTENUATION_POINT, say("fade.no-point")) else null
-        val none = if (spot == null) Axis.absent(Check.ATTENUATION_SPOT, say("fade.no-spot")) else null
+        val missing = if (point == null) Axis.absent(Check.ATTENUATION_POINT, say("fade.no-point")).lacking(say("lack.point")) else null
+        // Where no headlight can be told its absence, or that nobody can tell, is said of its presence.
+        val isAbsent = spot == null && (roles.coned != null || staging.program.lent.isEmpty())
+        val none = if (isAbsent) Axis.absent(Check.ATTENUATION_SPOT, say("fade.no-spot")).lacking(say("lack.spot")) else null
         return listOfNotNull(missing, none) + listOfNotNull(point, spot).map { axis(it, point, spot) } + listOfNotNull(lastSent())
     }
 
@@ -68,7 +70,7 @@ internal class Fading(private val staging: Staging) {
     /** Whether the motorcycle's light is overwritten by the headlight with all that is sent for it: that costs at the place. */
     private fun isWorn(light: PlacedLight): Boolean {
         val spot = roles.spot ?: return false
-        return light === roles.own && light !== spot && staging.sharing?.run { kind == SharingKind.OVERWRITTEN && light in lights } == true &&
+        return light === roles.own && light !== spot && staging.isOverwritten(light) &&
             spot.track.last.k.distance(light.track.last.k) < NOTHING && staging.isOneColor(spot, light)
     }
 

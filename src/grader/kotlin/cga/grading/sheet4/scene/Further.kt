@@ -19,10 +19,10 @@ internal class Further(private val staging: Staging) {
     private fun number(): Axis {
         val further = roles.further
         val places = further.filterIndexed { i, light -> further.take(i).none { isSamePlace(it, light) } }
-        val colors = further.filterIndexed { i, light -> further.take(i).none { hue(it.track.last).distance(hue(light.track.last)) < DIFFERENT } }
+        val colors = further.filterIndexed { i, light -> further.take(i).none { isSameHue(it.track.last, light.track.last) } }
         val error = max(0.0, 1 - minOf(places.size, colors.size) / WANTED)
-        val figures = say("further.figures", further.size, places.size, colors.size)
-        val text = say("further.wanted", figures, WANTED.toInt())
+        val figures = "${further.size} further point lights at ${places.size} places, in ${colors.size} colours"
+        val text = say("further.figures", further.size, places.size, colors.size, WANTED)
         val missing = Axis.found(Mistake.MORE_LIGHTS_MISSING, figures, error)
         val lack = say("lack.further")
         return when {
@@ -40,7 +40,7 @@ internal class Further(private val staging: Staging) {
     /** Whether [light] follows the colour that the motorcycle's light has, which changes with time. */
     private fun takesOwnColor(light: PlacedLight): Boolean {
         val own = roles.own?.takeIf { it.track.changesColor } ?: return false
-        return both(own, light).all { (a, b) -> hue(a).distance(hue(b)) < DIFFERENT }
+        return both(own, light).all { (a, b) -> isSameHue(a, b) }
     }
 
     private fun isSamePlace(
@@ -52,6 +52,8 @@ internal class Further(private val staging: Staging) {
         a: PlacedLight,
         b: PlacedLight,
     ) = timeline.laterShots.mapNotNull { shot -> a.track.at(shot.moment)?.let { one -> b.track.at(shot.moment)?.let { one to it } } }
+
+    private fun isSameHue(a: ObservedLight, b: ObservedLight) = hue(a).distance(hue(b)) < DIFFERENT
 
     private fun hue(light: ObservedLight) = Vector3d(light.color).div(max(light.color.maxAbs(), LightTrack.DARK))
 

@@ -59,12 +59,13 @@ internal class Lost(
         val isOfEmission = kinds.singleOrNull() == LackKind.COLOR
         if (isEarly || isOfEmission || meant.isEmpty() || (kinds != setOf(LackKind.OWN_COLOR) && !isMissed(meant))) return null
         val where = meant.sortedBy(::distance).take(MOST_NAMES).joinToString(transform = ::suggestion)
-        val missing = say("event.missing", lacks.map { it.text }.distinct().joinToString())
+        val missing = say("event.missing", lacks.map { it.text }.distinct())
         return Axis.named(Axis.found(Mistake.UNIFORM_ABSENT, where, explains = checks), missing)
     }
 
     /** What of the programs waits for numbers although the scene looks whole without. */
-    private fun lacking(axes: List<Axis>): List<Axis> = listOfNotNull(dead(axes), unplaced(), misspelt(CONE), misspelt(SHINE), besideArray())
+    private fun lacking(axes: List<Axis>): List<Axis> =
+        listOfNotNull(dead(axes), unplaced(), misspelt(CONE), misspelt(SHINE), besideArray())
 
     /** Where one light is divided by 0, nothing is left of the others; a light that is missing says so already. */
     private fun dead(axes: List<Axis>): Axis? {
@@ -85,7 +86,7 @@ internal class Lost(
             place in unset && lost.any { editDistance(it, place) <= place.length / MUCH_ALIKE }
         }.ifEmpty { return null }
         val text = places.joinToString()
-        return Axis.note(say("event.unplaced", text)).lacking(text, *PLACES, hides = UNPLACED)
+        return Axis.note(say("event.unplaced", text)).lacking(say("lack.numbers", text), *PLACES, hides = UNPLACED)
     }
 
     /** Numbers of a cone, or an exponent, that are sent under a name which is much alike: what is left says nothing of what was meant. */
@@ -94,7 +95,8 @@ internal class Lost(
             names.any { editDistance(it, name) <= TYPO || (words.regex.containsMatchIn(it) && isMostly(it, name)) }
         }.ifEmpty { return null }
         val text = lost.joinToString()
-        return Axis.right(words.checks[0], 1.0, say("event.other-name", text)).lacking(text, *words.checks, hides = words.hides)
+        val axis = Axis.right(words.checks[0], 1.0, say("event.other-name", text))
+        return axis.lacking(say("lack.numbers", text), *words.checks, hides = words.hides)
     }
 
     /** Numbers that are sent to an element which an array does not have, while one that it has waits: a light is lost of however many. */
@@ -102,14 +104,17 @@ internal class Lost(
         val arrays = asked.mapNotNull(ArrayNames::arrayOf)
         val lost = unset.filter { ArrayNames.arrayOf(it) in arrays && LIGHT.containsMatchIn(it) }.ifEmpty { return null }
         val text = lost.joinToString()
-        return Axis.right(Check.MORE_LIGHTS, 1.0, say("event.other-element", text)).lacking(text, Check.MORE_LIGHTS_SHADING)
+        val axis = Axis.right(Check.MORE_LIGHTS, 1.0, say("event.other-element", text))
+        return axis.lacking(say("lack.numbers", text), Check.MORE_LIGHTS_SHADING)
     }
 
-    private fun unneeded(isLacking: Boolean): List<Axis> =
-        listOfNotNull(
-            if (asked.isEmpty()) null else say(if (isLacking) "event.no-program" else "event.unneeded", asked.take(MOST_NAMES).joinToString(transform = ::suggestion)),
+    private fun unneeded(isLacking: Boolean): List<Axis> {
+        val some = asked.take(MOST_NAMES).joinToString(transform = ::suggestion)
+        return listOfNotNull(
+            if (asked.isEmpty()) null else say(if (isLacking) "event.no-program" else "event.unneeded", some),
             if (early.isEmpty()) null else say("event.early-unneeded", early.take(MOST_NAMES).joinToString()),
         ).map(Axis::note)
+    }
 
     /** Whether something that waits for numbers may have been meant by [names]: it is spelt alike, or nothing else is left for it. */
     private fun isMissed(names: List<String>): Boolean {
@@ -139,7 +144,7 @@ internal class Lost(
 
     private fun suggestion(name: String): String {
         val meant = nearest(name)
-        return if (meant == null || distance(name) > name.length / 2) name else say("event.suggestion", name, meant)
+        return if (meant == null || distance(name) > name.length / 2) name else "$name (is $meant meant?)"
     }
 
     /** One that waits for numbers, if there is one that is much alike. */

@@ -28,20 +28,23 @@ internal enum class Heard(val hears: (MouseMove) -> Boolean) {
     NO_ALT({ !it.alt }),
 }
 
-/** What is made of an event: pixels, from where the mouse is, where it was before and where it was first, and what was made of the one before. */
+/** What is made of an event: pixels, from where the mouse is, was before and was first, and from what was made of the event before. */
 internal enum class Way(
     val mistake: Mistake?,
     val key: String,
+    val where: String,
     val pixels: (at: Cursor, old: Cursor, first: Cursor, before: Double) -> Double,
 ) {
-    DIFFERENCE(null, "", { at, old, _, _ -> at.x - old.x }),
-    SINCE_FIRST(Mistake.MOUSE_FACTOR, "mouse.since-first", { at, _, first, _ -> at.x - first.x }),
+    DIFFERENCE(null, "", "", { at, old, _, _ -> at.x - old.x }),
+    SINCE_FIRST(Mistake.MOUSE_FACTOR, "mouse.since-first", "the whole way since the first event", { at, _, first, _ -> at.x - first.x }),
 
     /** The angle is that of the last movement and not of all. */
-    ASSIGNED(Mistake.MOUSE_FACTOR, "mouse.assigned", { at, old, _, before -> at.x - old.x - before }),
-    OLD_Y(Mistake.MOUSE_FACTOR, "mouse.old-y", { at, old, _, _ -> at.x - old.y }),
-    POSITION(Mistake.MOUSE_JUMP, "mouse.position", { at, _, _, _ -> at.x }),
-    HEIGHT(Mistake.UNKNOWN, "mouse.height", { at, old, _, _ -> at.y - old.y }),
+    ASSIGNED(Mistake.MOUSE_FACTOR, "mouse.assigned", "the last movement in the place of all", { at, old, _, before ->
+        at.x - old.x - before
+    }),
+    OLD_Y(Mistake.MOUSE_FACTOR, "mouse.old-y", "the difference between x and the y before", { at, old, _, _ -> at.x - old.y }),
+    POSITION(Mistake.MOUSE_JUMP, "mouse.position", "the position in the place of the movement", { at, _, _, _ -> at.x }),
+    HEIGHT(Mistake.UNKNOWN, "mouse.height", "", { at, old, _, _ -> at.y - old.y }),
 }
 
 /** Where the mouse is taken to have been before the first event that is heard. */

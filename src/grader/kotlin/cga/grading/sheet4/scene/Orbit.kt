@@ -2,6 +2,7 @@ package cga.grading.sheet4.scene
 
 import cga.grading.capture.Moment
 import cga.grading.findings.Check
+import cga.grading.findings.Message
 import cga.grading.findings.Mistake
 import cga.grading.scene.Bounds
 import cga.grading.scene.Gaze
@@ -9,6 +10,7 @@ import cga.grading.scene.ObservedObject
 import cga.grading.scene.Shot
 import cga.grading.scene.Turn
 import cga.grading.scene.bounds
+import cga.grading.scene.text
 import cga.grading.scene.translation
 import kotlin.math.PI
 import kotlin.math.abs
@@ -34,7 +36,7 @@ internal class Orbit(private val staging: Staging) {
         private val rule = paced?.rule
 
         /** What turned because of the way that the mouse went. */
-        val answers = turning.filter { rule == null || rule.pixels[MouseMove.ALL.indexOf(it.move)] != 0.0 }.filter { it.move !== MouseMove.ALL[0] }
+        val answers = turning.filter { rule == null || rule.pixels[MouseMove.ALL.indexOf(it.move)] != 0.0 } - setOfNotNull(reactions.firstOrNull())
         val isByHeight get() = rule?.way == Way.HEIGHT
         val isLate get() = rule != null && rule.lag > 0
     }
@@ -53,11 +55,11 @@ internal class Orbit(private val staging: Staging) {
         val inWorld = fitted(reactions { before, at -> Matrix4d(before.motorcycleFrame).invert().mul(at.camera) })
         if (fitted.reactions.any { it.turn.motorcycleTurned > MOTORCYCLE_TURNED } && inWorld.answers.isNotEmpty()) {
             val text = say("orbit.turns-motorcycle")
-            return about(inWorld).filter { it.measured?.check != Check.ORBIT } + Axis.wrong(Check.ORBIT, 1.0, text, Mistake.ORBIT_MISSING, text)
+            return about(inWorld).filter { it.measured?.check != Check.ORBIT } + Axis.wrong(Check.ORBIT, 1.0, text, Mistake.ORBIT_MISSING, MOTORCYCLE)
         }
         val isMoved = fitted.reactions.any { it.turn.moved > TURNED }
         val text = say(if (isMoved) "orbit.moved-only" else "orbit.none")
-        val found = if (isMoved) Axis.found(Mistake.UNKNOWN, say("orbit.camera")) else Axis.found(Mistake.ORBIT_MISSING, text)
+        val found = Axis.found(if (isMoved) Mistake.UNKNOWN else Mistake.ORBIT_MISSING, if (isMoved) CAMERA else NOTHING)
         return CHECKS.map { check -> Axis.absent(check, text, found.takeIf { check == Check.ORBIT }) }
     }
 
@@ -68,8 +70,9 @@ internal class Orbit(private val staging: Staging) {
         val isTilted = axis.any { it.measured?.check == Check.ORBIT && it.mistake != null }
         val pivot = if (place == null) pivot(fitted, axis.any { it.mistake?.mistake == Mistake.ORBIT_OWN_AXIS }) else looksAside(place)
         val isCurved = isTilted || pivot.mistake != null
-        val way = if (fitted.isByHeight) Axis.wrong(Check.ORBIT, 1.0, say("mouse.height"), Mistake.UNKNOWN, say("orbit.up-or-down")) else turns(fitted)
-        return listOfNotNull(way, pivot, if (fitted.isLate) Axis.note(say("orbit.late")) else null, goesBack(fitted)) + axis + pace(fitted, isCurved)
+        val way = if (fitted.isByHeight) Axis.wrong(Check.ORBIT, 1.0, say("mouse.height"), Mistake.UNKNOWN, UP_OR_DOWN) else turns(fitted)
+        val late = if (fitted.isLate) Axis.note(say("orbit.late")) else null
+        return listOfNotNull(way, pivot, late, goesBack(fitted)) + axis + pace(fitted, isCurved)
     }
 
     private fun turns(fitted: Fitted) =
@@ -89,7 +92,7 @@ internal class Orbit(private val staging: Staging) {
     private fun swapped(): List<Axis> {
         val fitted = fitted(reactions { _, at -> swappedPose(at) })
         val rest = if (fitted.answers.isEmpty()) turnsNothing(fitted) else about(fitted).filter { it.measured?.check != Check.ORBIT_PIVOT }
-        return rest + Axis.wrong(Check.ORBIT_PIVOT, 1.0, say("orbit.swapped"), Mistake.UNKNOWN, say("orbit.camera"))
+        return rest + Axis.wrong(Check.ORBIT_PIVOT, 1.0, say("orbit.swapped"), Mistake.UNKNOWN, CAMERA)
     }
 
     private fun reactions(pose: (Shot, Shot) -> Matrix4d): List<Reaction> =
@@ -102,9 +105,9 @@ internal class Orbit(private val staging: Staging) {
 
     private fun fitted(reactions: List<Reaction>): Fitted {
         val later = turn(Moment.MOUSE_DRIVEN) { _, at -> at.cameraInMotorcycle }
-        val reference = reactions.maxByOrNull { if (isSideways(it.move)) it.turn.angle else 0.0 }?.turn ?: return Fitted(reactions, null, later)
-        val isUsed = reference.angle > TURNED
-        val axis = (if (isUsed) reference else reactions.maxBy { it.turn.angle }.turn).axis
+        if (reactions.isEmpty()) return Fitted(reactions, null, later)
+        val reference = reactions.maxBy { if (isSideways(it.move)) it.turn.angle else 0.0 }.turn
+        val axis = (if (reference.angle > TURNED) reference else reactions.maxBy { it.turn.angle }.turn).axis
         if (!axis.isFinite) return Fitted(reactions, null, later)
         val rolled = Paced.of(reactions.map { it.turn.about(axis) }, later?.about(axis), staging.profile.radiansPerPixel)
         // A camera that circles one place and looks at another goes round evenly and turns unevenly.
@@ -118,18 +121,18 @@ internal class Orbit(private val staging: Staging) {
         val lying = answers.filter { minOf(it.tilt, it.fromOwnAxis) > PI / 4 }.maxByOrNull { it.tilt }
         if (lying != null) {
             val share = lying.tilt / (PI / 2)
-            val text = say("orbit.lying", Math.toDegrees(lying.tilt))
+            val text = say("orbit.lying", lying.tilt)
             return listOf(
-                Axis.wrong(Check.ORBIT, share, text, Mistake.UNKNOWN, say("orbit.to-the-side")),
+                Axis.wrong(Check.ORBIT, share, text, Mistake.UNKNOWN, TO_THE_SIDE),
                 Axis.right(Check.ORBIT_HORIZON, 0.0, say("orbit.lying-horizon")),
             )
         }
         val error = fitted.turning.maxOf { rolled(it.turn) }
-        val text = say("orbit.horizon", Share(error))
+        val text = say("orbit.horizon", error)
         if (error <= NAMED) return listOf(Axis.right(Check.ORBIT_HORIZON, error, text)) + listOfNotNull(tilted(answers))
         val own = answers.maxBy(::rolled)
         val isSide = rolled(own) > NAMED
-        val where = say(if (isSide) "orbit.camera" else "orbit.up-or-down")
+        val where = if (isSide) CAMERA else UP_OR_DOWN
         val fit = if (isSide) own.fromOwnAxis / own.tilt else error
         return listOf(Axis.wrong(Check.ORBIT_HORIZON, if (isSide) rolled(own) else error, text, Mistake.ORBIT_OWN_AXIS, where, fit))
     }
@@ -137,7 +140,7 @@ internal class Orbit(private val staging: Staging) {
     /** A camera that keeps looking at the motorcycle has a level horizon, whatever it circles about. */
     private fun tilted(answers: List<Turn>): Axis? {
         val error = answers.maxOf { it.rise / max(it.angle, LEAST_TURN) }
-        return if (error <= NAMED) null else Axis.wrong(Check.ORBIT, error, say("orbit.rises"), Mistake.UNKNOWN, say("orbit.to-the-side"))
+        return if (error <= NAMED) null else Axis.wrong(Check.ORBIT, error, say("orbit.rises"), Mistake.UNKNOWN, TO_THE_SIDE)
     }
 
     private fun rolled(turn: Turn) = turn.roll / max(turn.angle, LEAST_TURN)
@@ -153,32 +156,32 @@ internal class Orbit(private val staging: Staging) {
         val error = worst.turn.passesBy(box)
         val onTheSpot = fitted.answers.all { it.turn.moved < IN_PLACE * it.turn.angle }
         if (onTheSpot && isOwnAxis) return Axis.right(Check.ORBIT_PIVOT, 0.0, say("orbit.own-axis-pivot"))
-        val text = say("orbit.pivot", Share(error))
+        val text = say("orbit.pivot", error)
         if (error <= NAMED) return Axis.right(Check.ORBIT_PIVOT, error, text)
         val passing = fitted.answers.maxByOrNull { it.turn.passesBy(box) }?.takeIf { it.turn.passesBy(box) > NAMED } ?: worst
-        val (where, fit) = if (onTheSpot) say("pivot.camera") to 0.0 else whichPivot(passing)
+        val (where, fit) = if (onTheSpot) "the camera itself" to 0.0 else whichPivot(passing)
         return Axis.wrong(Check.ORBIT_PIVOT, error, text, Mistake.ORBIT_PIVOT, where, fit)
     }
 
     /** What the camera turns about, if it is a place with a name, and how far from that. */
     private fun whichPivot(reaction: Reaction): Pair<String, Double> {
-        val shot = timeline.shot(reaction.move.moment) ?: return say("pivot.unknown") to 1.0
+        val shot = timeline.shot(reaction.move.moment) ?: return "unknown" to 1.0
         val pivot = reaction.turn.pivot()
         val motorcycle = shot.motorcycle.translation()
         val names =
             listOf(
-                "pivot.origin" to Vector3d(),
-                "pivot.own-space" to shot.motorcycle.transformPosition(motorcycle, Vector3d()),
-                "pivot.start" to timeline.shots.first().motorcycle.translation(),
+                "the origin of the world" to Vector3d(),
+                OWN_SPACE to shot.motorcycle.transformPosition(motorcycle, Vector3d()),
+                "where the motorcycle started" to timeline.shots.first().motorcycle.translation(),
             )
         val (name, distance) = names.map { (name, place) -> name to hypot(place.x - pivot.x, place.z - pivot.z) }.minBy { it.second }
         val fit = distance / shot.distance
-        return (if (fit < SAME_PLACE) say(name) else say("pivot.place", pivot, motorcycle)) to fit
+        return (if (fit < SAME_PLACE) name else "${pivot.text()}; the motorcycle is at ${motorcycle.text()}") to fit
     }
 
     /** Where the camera goes along and always looks at [place] in the world. */
     private fun looksAside(place: Vector3d): Axis =
-        Axis.wrong(Check.ORBIT_PIVOT, 1.0, say("orbit.looks-aside", place), Mistake.ORBIT_PIVOT, say("orbit.looks-at", place))
+        Axis.wrong(Check.ORBIT_PIVOT, 1.0, say("orbit.looks-aside", place), Mistake.ORBIT_PIVOT, "looks at ${place.text()}")
 
     /** The box that the motorcycle fills in its own space, its origin included: the camera may turn about any point of it. */
     private fun motorcycleBox(): Bounds {
@@ -198,20 +201,20 @@ internal class Orbit(private val staging: Staging) {
         val wrongWay = paced?.rule?.way?.takeIf { it.mistake == Mistake.MOUSE_FACTOR }
         val pace = abs(paced?.pace ?: paces(fitted).minByOrNull { abs(it / (expected ?: it) - 1) } ?: 0.0)
         val error = if (expected == null) 0.0 else abs(pace / expected - 1)
-        val figure = say("mouse.pace", pace)
+        val figure = "${pace.text()} rad a pixel"
         val factor =
             when {
-                resting != null -> factor(1.0, say("mouse.resting", resting.turn.angle, resting.move.moment), say("mouse.rests"))
-                wrongWay != null -> factor(1.0, say("mouse.way", say(wrongWay.key)), say(wrongWay.key))
+                resting != null -> factor(1.0, say("mouse.resting", resting.turn.angle, resting.move.moment), "turns while the mouse rests")
+                wrongWay != null -> factor(1.0, say(wrongWay.key), wrongWay.where)
                 paced == null && isCurved -> Axis.right(Check.ORBIT_FACTOR, 0.0, say("mouse.curved"))
-                paced == null -> factor(1.0, say("mouse.uneven", paces(fitted).joinToString { say("mouse.pace", it) }), say("mouse.no-rule"))
-                error > NAMED && expected != null -> factor(error, say("mouse.factor", figure, expected), figure)
-                else -> Axis.right(Check.ORBIT_FACTOR, error, say("mouse.right", figure))
+                paced == null -> factor(1.0, say("mouse.uneven", paces(fitted).map(::pace)), figure)
+                error > NAMED && expected != null -> factor(error, say("mouse.factor", pace, expected), figure)
+                else -> Axis.right(Check.ORBIT_FACTOR, error, say("mouse.right", pace))
             }
         return listOf(factor, start(fitted, pace))
     }
 
-    private fun factor(error: Double, text: String, where: String) =
+    private fun factor(error: Double, text: Message, where: String) =
         Axis.wrong(Check.ORBIT_FACTOR, error, text, Mistake.MOUSE_FACTOR, where)
 
     private fun paces(fitted: Fitted): List<Double> {
@@ -232,9 +235,8 @@ internal class Orbit(private val staging: Staging) {
         val corner = listOf(jump.move.at.x, jump.move.at.x + 1, hypot(jump.move.at.x, jump.move.at.y))
         val fit = corner.minOf { abs(pixels / it - 1) }
         val error = pixels / jump.move.at.x
-        return Axis.wrong(
-            Check.ORBIT_START, error, say("mouse.jumps", jump.turn.angle), Mistake.MOUSE_JUMP, say("mouse.worth", pixels, jump.move.moment), fit,
-        )
+        val where = "${pixels.text()} pixels' worth at ${jump.move.moment}"
+        return Axis.wrong(Check.ORBIT_START, error, say("mouse.jumps", jump.turn.angle), Mistake.MOUSE_JUMP, where, fit)
     }
 
     /** What becomes of the turned camera when the motorcycle drives on. */
@@ -250,7 +252,16 @@ internal class Orbit(private val staging: Staging) {
         return move.at.x != before.at.x && move.at.y == before.at.y
     }
 
+    /** A number by itself: a list of numbers is a vector. */
+    private fun pace(radians: Double) = say("mouse.pace", radians)
+
     companion object {
+        private const val MOTORCYCLE = "The mouse turns the motorcycle, not the camera about it"
+        private const val OWN_SPACE = "the motorcycle's world position, taken in the motorcycle's own space"
+        private const val CAMERA = "camera"
+        private const val UP_OR_DOWN = "camera, when the mouse moves up or down"
+        private const val TO_THE_SIDE = "camera, when the mouse moves to the side"
+        private const val NOTHING = "The camera does not turn when the mouse moves, with or without Alt"
         val CHECKS: Set<Check> = setOf(Check.ORBIT, Check.ORBIT_PIVOT, Check.ORBIT_HORIZON, Check.ORBIT_FACTOR, Check.ORBIT_START)
 
         /** Radians. Float matrices turn by 1e-6 of themselves; a factor in degrees still turns by 1e-3 in 100 pixels. */

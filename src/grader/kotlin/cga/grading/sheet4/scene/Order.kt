@@ -3,6 +3,7 @@ package cga.grading.sheet4.scene
 import cga.grading.capture.EventKind
 import cga.grading.capture.Moment
 import cga.grading.findings.Check
+import cga.grading.findings.Message
 import cga.grading.findings.Mistake
 import cga.grading.scene.LightTrack
 import cga.grading.scene.ObservedFrame
@@ -24,20 +25,20 @@ internal class Order(private val staging: Staging) {
     private val tellsDarkness = timeline.frame(Moment.TIME_1) != null
 
     /** What shows that something came too late; null where the first two frames are not both there. */
-    private val evidence: List<String>? = evidence()
+    private val evidence: List<Message>? = evidence()
 
     /** Whether anything came too late. */
     val isLate: Boolean = !evidence.isNullOrEmpty()
 
     fun axis(): Axis {
         if (evidence == null) return Axis.open(Check.ORDER, say("order.no-frames"))
-        val first = evidence.firstOrNull() ?: return Axis.right(Check.ORDER, 0.0, say("order.right"))
+        if (evidence.isEmpty()) return Axis.right(Check.ORDER, 0.0, say("order.right"))
         val early = staging.events.any { it.kind == EventKind.UNIFORM_WITHOUT_PROGRAM && it.frame <= 0 }
         val mistake = if (early) Mistake.UNIFORM_BEFORE_USE else Mistake.LIGHTS_AFTER_DRAWS
-        return Axis.wrong(Check.ORDER, 1.0, say("order.late", evidence.take(MOST_TEXTS).joinToString("; ")), mistake, first)
+        return Axis.wrong(Check.ORDER, 1.0, say("order.late", evidence.take(MOST_TEXTS)), mistake, "first frame")
     }
 
-    private fun evidence(): List<String>? {
+    private fun evidence(): List<Message>? {
         val first = timeline.frame(Moment.FIRST)
         val second = timeline.frame(Moment.SECOND) ?: return null
         val start =
@@ -51,7 +52,7 @@ internal class Order(private val staging: Staging) {
             lights.filter { it.late }.map { say("order.place-before", it.name) }
     }
 
-    private fun between(first: ObservedFrame, second: ObservedFrame): List<String> {
+    private fun between(first: ObservedFrame, second: ObservedFrame): List<Message> {
         val view = if (!first.view.isUsable() && second.view.isUsable()) listOf(say("order.no-view")) else emptyList()
         return view + listOf("order.ground" to cast.ground, "order.motorcycle" to cast.motorcycle).flatMap { (key, track) ->
             val who = say(key)
@@ -78,7 +79,7 @@ internal class Order(private val staging: Staging) {
      * What [light] lacks [before] that it has [after], while nothing but time has moved. What merely differs is no sign: places and
      * colours may be set by the first update, and the first frame is drawn before it.
      */
-    private fun lack(light: PlacedLight, before: List<ObservedLight>, after: List<ObservedLight>, firstView: Matrix4dc): String? {
+    private fun lack(light: PlacedLight, before: List<ObservedLight>, after: List<ObservedLight>, firstView: Matrix4dc): Message? {
         val then = after.find { it.name == light.name } ?: return null
         val now = before.find { it.name == light.name }
         val changes = light.track.changesColor
@@ -102,7 +103,7 @@ internal class Order(private val staging: Staging) {
     private fun isUnset(light: ObservedLight) = !light.k.isFinite || light.k.maxAbs() < LightTrack.DARK
 
     /** Whether draws of one frame see different lights: some then see those of the frame before. */
-    private fun insideFrame(frame: ObservedFrame): String? {
+    private fun insideFrame(frame: ObservedFrame): Message? {
         val ground = cast.ground?.of(frame)?.lights?.associateBy { it.name } ?: return null
         val light = cast.motorcycle?.of(frame)?.lights?.find { light -> ground[light.name]?.let { differs(it, light) } ?: false }
         return light?.let { say("order.inside-frame", frame.moment, it.name) }

@@ -6,6 +6,7 @@ import cga.grading.findings.Mistake
 import cga.grading.scene.Shot
 import cga.grading.scene.scale
 import cga.grading.scene.stretch
+import cga.grading.scene.text
 import cga.grading.scene.unevenness
 import org.joml.Matrix4d
 import org.joml.Vector3d
@@ -31,7 +32,7 @@ internal class Places(private val staging: Staging) {
         val factor = view.view.scale()
         val isUndone = abs(factor * view.motorcycle.scale() - 1) < RIGID
         val text = if (isUndone) say("view.undone", factor, view.motorcycle.scale()) else say("view.stretched", factor)
-        return Axis.wrong(CHECK, error, text, Mistake.VIEW_SCALED, say("view.factor", factor), unevenness(view.view))
+        return Axis.wrong(CHECK, error, text, Mistake.VIEW_SCALED, "view matrix, factor ${factor.text()}", unevenness(view.view))
     }
 
     private fun shared(sharing: Sharing): Axis? =
@@ -40,7 +41,7 @@ internal class Places(private val staging: Staging) {
                 Axis.wrong(CHECK, 1.0, say("place.overwritten", sharing.names), Mistake.LIGHT_POSITION_OVERWRITTEN, sharing.names)
             SharingKind.COPY -> {
                 val (spot, point) = sharing.lights.sortedBy { !it.isSpot }
-                val names = say("spot.also", spot.name, point.name)
+                val names = "${spot.name}, also ${point.name}"
                 Axis.wrong(Check.SPOT_LIGHT, 1.0, say("spot.twice", spot.name, point.name), Mistake.UNKNOWN, names)
             }
             SharingKind.OTHER_PARENT -> null
@@ -97,7 +98,8 @@ internal class Places(private val staging: Staging) {
     private fun movesByItself(light: PlacedLight): Boolean {
         val both = seen(light) { it.moment in Moment.SECOND..Moment.TIME_4 }
         val onMotorcycle = both.map { (shot, place) -> Matrix4d(shot.motorcycleFrame).invert().transformPosition(place, Vector3d()) }
-        return both.size > 2 && listOf(both.map { it.second }, onMotorcycle).all { places -> places.maxOf { it.distance(places[0]) } > MOVED }
+        val seen = listOf(both.map { it.second }, onMotorcycle)
+        return both.size > 2 && seen.all { places -> places.maxOf { it.distance(places[0]) } > MOVED }
     }
 
     /** Whether [light] goes about in the world while the mouse turns the camera, and rests in the pictures between. */
@@ -114,17 +116,15 @@ internal class Places(private val staging: Staging) {
 
     /** Whether [light] goes on by the same way at each picture, however long after the one before, while the motorcycle stands. */
     private fun wandersOff(light: PlacedLight): Boolean {
-        val places = timeline.shots.filter { it.moment <= Moment.TIME_4 }.mapNotNull { shot -> light.track.at(shot.moment)?.let { shot to shot.world(it) } }
+        val places = seen(light, timeline.shots) { it.moment <= Moment.TIME_4 }
         val steps = places.zipWithNext { (_, before), (_, now) -> now.sub(before, Vector3d()) }
         val pauses = places.zipWithNext { (before, _), (now, _) -> now.frame.time - before.frame.time }
         return steps.size >= FEWEST && pauses.max() >= LONGER * pauses.min() &&
             steps[0].length() > WAY && steps.all { it.distance(steps[0]) < SAME_STEP * steps[0].length() }
     }
 
-    private fun seen(
-        light: PlacedLight,
-        isMeant: (Shot) -> Boolean,
-    ) = timeline.laterShots.filter(isMeant).mapNotNull { shot -> light.track.at(shot.moment)?.let { shot to shot.world(it) } }
+    private fun seen(light: PlacedLight, shots: List<Shot> = timeline.laterShots, isMeant: (Shot) -> Boolean) =
+        shots.filter(isMeant).mapNotNull { shot -> light.track.at(shot.moment)?.let { shot to shot.world(it) } }
 
     /** A camera that never turns about the motorcycle hides whether positions went through the view; lights beside the camera tell. */
     private fun isBesideCamera(light: PlacedLight): Boolean {

@@ -20,7 +20,8 @@ internal class Presence(private val staging: Staging, private val aim: Aim) {
     private fun point(): List<Axis> {
         val own = roles.own ?: return noPoint()
         val isAround = !own.isSpot || roles.coned != null
-        val shines = Axis.right(Check.POINT_LIGHT, if (isAround) 0.0 else 1.0, say(if (isAround) "light.shines" else "light.not-around", own.name))
+        val text = say(if (isAround) "light.shines" else "light.not-around", own.name)
+        val shines = Axis.right(Check.POINT_LIGHT, if (isAround) 0.0 else 1.0, text)
         return listOfNotNull(shines, parent(own, Check.POINT_LIGHT_CHILD, Mistake.LIGHT_NOT_CHILD), height(own))
     }
 
@@ -54,22 +55,17 @@ internal class Presence(private val staging: Staging, private val aim: Aim) {
     }
 
     private fun noSpot(): List<Axis> {
-        val uneven = (roles.further + listOfNotNull(roles.own)).find { it.name in staging.program.strange && it.rides }
-        val lent = staging.program.lent.firstOrNull()
-        val text =
-            when {
-                roles.coned != null -> say("spot.crossed", roles.coned.name, roles.meant?.name ?: "")
-                uneven != null -> say("spot.uneven", uneven.name)
-                lent != null -> say("spot.lent", lent)
-                else -> say("spot.none")
-            }
-        // Something of the headlight is to be seen, and what is wrong with it has no name.
-        val isSomething = roles.coned == null && (uneven != null || lent != null)
-        val where = (uneven ?: roles.meant)?.name ?: "spotlight"
-        val found = Axis.found(if (isSomething) Mistake.UNKNOWN else Mistake.SPOT_MISSING, where)
+        val lent = staging.program.lent.firstOrNull()?.takeIf { roles.coned == null }
+        // It shines in another light's colour: nobody can tell the two apart.
+        if (lent != null) {
+            val text = say("spot.lent", lent)
+            val shared = Axis.wrong(Check.SPOT_LIGHT, 1.0, text, Mistake.UNKNOWN, lent, explains = setOf(Check.CONE_SPECULAR))
+            return listOf(shared) + (SPOT - Check.SPOT_LIGHT).map { Axis.open(it, text) }
+        }
+        val text = if (roles.coned == null) say("spot.none") else say("spot.crossed", roles.coned.name, roles.meant?.name ?: "")
+        val found = Axis.found(Mistake.SPOT_MISSING, roles.meant?.name ?: "spotlight")
         return SPOT.map { check ->
-            val absent = Axis.absent(check, text, found.takeIf { check == Check.SPOT_LIGHT })
-            if (isSomething) absent else absent.lacking(say("lack.spot"), Check.CONE_SPECULAR)
+            Axis.absent(check, text, found.takeIf { check == Check.SPOT_LIGHT }).lacking(say("lack.spot"), Check.CONE_SPECULAR)
         }
     }
 
@@ -112,7 +108,8 @@ internal class Presence(private val staging: Staging, private val aim: Aim) {
 
         fun isAsFarFrom(other: Posed): Boolean {
             val far = shot.motorcycle.translation().distance(other.shot.motorcycle.translation())
-            return abs(place.distance(other.place) - far) < HOLDS * (1 + shot.distance) && abs(angle(way, other.way) - turned(other)) < HOLDS
+            val isAsFar = abs(place.distance(other.place) - far) < HOLDS * (1 + shot.distance)
+            return isAsFar && abs(angle(way, other.way) - turned(other)) < HOLDS
         }
     }
 

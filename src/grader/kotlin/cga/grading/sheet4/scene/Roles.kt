@@ -3,6 +3,7 @@ package cga.grading.sheet4.scene
 import cga.grading.capture.Moment
 import cga.grading.scene.LightTrack
 import cga.grading.scene.ObservedFrame
+import cga.grading.scene.ProgramFacts
 import cga.grading.scene.Timeline
 import org.joml.Vector3d
 import org.joml.Vector3dc
@@ -32,8 +33,8 @@ internal class Roles(
     fun isRider(light: PlacedLight): Boolean = light === own || light === spot
 
     companion object {
-        /** The roles in [timeline]; [canCone] says that the shaders could give a cone to a light that has none. */
-        fun of(timeline: Timeline, canCone: Boolean): Roles {
+        /** The roles in [timeline], as the shaders of [program] draw with them. */
+        fun of(timeline: Timeline, program: ProgramFacts): Roles {
             val (shining, unlit) = LightTrack.all(timeline.frames).partition { it.shines }
             val lights = PlacedLight.all(shining, timeline)
             val cones = lights.filter { it.isSpot }
@@ -43,8 +44,9 @@ internal class Roles(
             val idle = idle(timeline)
             val own = own(points, timeline).takeIf { idle == null || it?.rides == true }
             val others = points - setOfNotNull(own)
-            // The headlight rides along too.
-            val bare = if (canCone && spots.isEmpty() && timeline.cast.driven) others.find { it.rides } else null
+            // The headlight rides along too, though its cone is never sent or cannot be told.
+            val mayHaveNone = spots.isEmpty() && timeline.cast.driven
+            val bare = others.find { mayHaveNone && it.rides && (program.canCone || it.name in program.strange) }
             val spot = spots.find { it.rides } ?: spots.firstOrNull() ?: bare
             return uncrossed(
                 Roles(own, spot, others - setOfNotNull(bare), unlit.map { it.name }.toSet(), idle.takeIf { own == null }),

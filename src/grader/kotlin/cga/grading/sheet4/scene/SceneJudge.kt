@@ -59,22 +59,22 @@ public object SceneJudge {
     ): SceneVerdict {
         val settled = GroundSpace.settle(frames)
         val timeline = Timeline(settled, Casting(settled).cast())
-        val roles = Roles.of(timeline, program.canCone)
+        val roles = Roles.of(timeline, program)
         val lost = Lost(events, uniforms, program, LightTrack.all(settled).filter { it.shines })
         val staging = Staging(timeline, roles, profile, events, program)
         val axes = if (timeline.laterShots.isEmpty()) nothing(frames) else axes(staging)
         val refused = Refusal(events, program)
         val all = refused.judged(if (program.isReplaced) axes else lost.explained(axes))
-        return SceneVerdict(
-            all.checks(), all.mistakes(), all.mapNotNull { it.note }.distinct(), roles.unlit + lost.unlit, refused.isReplaced, roles.spot?.name,
-        )
+        val notes = all.mapNotNull { it.note }.distinct()
+        return SceneVerdict(all.checks(), all.mistakes(), notes, roles.unlit + lost.unlit, refused.isReplaced, roles.spot?.name)
     }
 
     private fun axes(staging: Staging): List<Axis> {
         val order = Order(staging)
-        val cone = cone(staging.roles)
+        val cone = cone(staging)
         val aim = Aim(staging, isConeSent = cone?.mistake?.mistake != Mistake.CONE_NEVER_SENT)
-        val isSent = staging.events.any { it.kind == EventKind.UNIFORM_ABSENT }
+        // The compiler drops what a shader declares and does not use.
+        val isSent = staging.events.any { it.kind == EventKind.UNIFORM_ABSENT && staging.program.declares(it.text) }
         val notDriven = !staging.timeline.cast.driven && staging.timeline.frame(Moment.DRIVEN) != null
         return listOfNotNull(if (notDriven) Axis.note(say("scene.not-driven")) else null) +
             Presence(staging, aim).axes() + Places(staging).axes() + aim.axes() + listOfNotNull(cone) +
@@ -82,11 +82,18 @@ public object SceneJudge {
             order.axis()
     }
 
-    private fun cone(roles: Roles): Axis? {
-        val spot = roles.spot ?: return null
+    private fun cone(staging: Staging): Axis? {
+        val spot = staging.roles.spot ?: return null
+        if (!spot.isSpot && spot.name in staging.program.strange) {
+            // Something of the headlight is to be seen, and what is wrong with it has no name.
+            return Axis.wrong(Check.CONE, 1.0, say("spot.uneven", spot.name), Mistake.UNKNOWN, spot.name, explains = UNTOLD)
+        }
         // A light that is a spotlight only by what it is meant to be.
         return Cone.axis(spot.track.cone ?: ObservedCone(Vector3d(), Double.NaN, Double.NaN), spot.name)
     }
+
+    /** What the shaders make of a cone that cannot be told. */
+    private val UNTOLD = setOf(Check.CONE_SPECULAR, Check.MORE_LIGHTS_SHADING)
 
     private fun nothing(frames: List<ObservedFrame>): List<Axis> {
         val text = say(if (frames.isEmpty()) "scene.no-frame" else "scene.no-motorcycle")
@@ -94,7 +101,7 @@ public object SceneJudge {
     }
 }
 
-/** Shaders that the driver refused: what stands in for them shows nothing of the submission's shading, and of the rest what was understood. */
+/** Shaders that the driver refused: what stands in for them shows nothing of the shading, and of the rest what was understood. */
 private class Refusal(events: List<CapturedEvent>, private val program: ProgramFacts) {
     private val failed = events.firstOrNull { it.kind == EventKind.SHADER_FAILED || it.kind == EventKind.LINK_FAILED }?.text
     private val dialect = events.firstOrNull { it.kind == EventKind.SHADER_DIALECT }?.text
@@ -108,7 +115,8 @@ private class Refusal(events: List<CapturedEvent>, private val program: ProgramF
         // Shaders that only needed other words: all that they do can be seen.
         val words = dialect?.let { Axis.wrong(Check.ORDER, 1.0, say("event.dialect"), Mistake.GLSL_DRIVER, telling(it)) }
         val hidden = if (isReplaced) axes.checks().filter(::isHidden).map { it.check }.toSet() else emptySet()
-        val seen = axes.filter { axis -> axis.measured?.check !in hidden && (!isReplaced || axis.mistake?.mistake?.check !in Check.entries - SceneJudge.CHECKS + hidden) }
+        val unseen = if (isReplaced) Check.entries - SceneJudge.CHECKS + hidden else emptyList()
+        val seen = axes.filter { it.measured?.check !in unseen && it.mistake?.mistake?.check !in unseen }
         return seen + hidden.map { Axis.open(it, say("event.refused")) } + listOfNotNull(refusal, words)
     }
 

@@ -3,6 +3,7 @@ package cga.grading.sheet4.scene
 import cga.grading.findings.Check
 import cga.grading.findings.Found
 import cga.grading.findings.Measured
+import cga.grading.findings.Message
 import cga.grading.findings.Mistake
 
 /**
@@ -19,7 +20,7 @@ import cga.grading.findings.Mistake
 public class SceneVerdict(
     public val checks: List<Measured>,
     public val mistakes: List<Found>,
-    public val notes: List<String>,
+    public val notes: List<Message>,
     public val unlit: Set<String> = emptySet(),
     public val isReplaced: Boolean = false,
     public val spot: String? = null,

@@ -67,7 +67,8 @@ internal class Sharing(val kind: SharingKind, val lights: List<PlacedLight>) {
 
         private fun isOverwritten(light: PlacedLight) = light.track.last.placedBy in staging.overwritten
 
-        private fun isUnmoved(light: PlacedLight) = light.chain?.isViewed == true && light.place?.run { constant.length() < AT_ORIGIN } == true
+        private fun isUnmoved(light: PlacedLight) =
+            light.chain?.isViewed == true && light.place?.run { constant.length() < AT_ORIGIN } == true
 
         /** Whether two further lights are one and the same: then one was sent for the other, and nothing of it overwritten. */
         private fun areTwins(

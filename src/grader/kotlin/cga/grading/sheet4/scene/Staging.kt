@@ -18,6 +18,9 @@ internal class Staging(
     val overwritten: Set<String> = events.filter { it.kind == EventKind.UNIFORM_OVERWRITTEN }.map { it.text }.toSet()
     val sharing: Sharing? = Sharing.of(this)
 
+    /** Whether [light] is where another one is that was sent over it. */
+    fun isOverwritten(light: PlacedLight): Boolean = sharing?.run { kind == SharingKind.OVERWRITTEN && light in lights } ?: false
+
     /** The check that asks whether [light] is there. */
     fun presence(light: PlacedLight): Check =
         when (light) {

@@ -1,28 +1,15 @@
 package cga.grading.sheet4.scene
 
-import cga.grading.scene.percent
-import cga.grading.scene.text
+import cga.grading.findings.Message
 import org.joml.Vector3dc
-import java.util.Properties
 
-/** The sentence [key] of `scene.properties` with [values] in its places: numbers rounded, vectors in brackets. */
-internal fun say(key: String, vararg values: Any): String {
-    val sentence = checkNotNull(SENTENCES.getProperty(key)) { "scene.properties has no $key" }
-    return values.foldIndexed(sentence) { i, text, value -> text.replace("{$i}", said(value)) }
-}
+/** The text `scene.`[key] of the message files, with numbers, names, vectors, moments, other texts or lists of these in its places. */
+internal fun say(key: String, vararg values: Any): Message = Message("scene.$key", values.map(::argument))
 
-/** A share, to be said in percent. */
-internal class Share(val value: Double)
-
-private fun said(value: Any): String =
+private fun argument(value: Any): Any =
     when (value) {
-        is Double -> value.text()
-        is Vector3dc -> value.text()
-        is Share -> value.value.percent()
+        is Number, is String, is Message -> value
+        is Vector3dc -> listOf(value.x(), value.y(), value.z())
+        is List<*> -> value.map { argument(checkNotNull(it)) }
         else -> value.toString()
-    }
-
-private val SENTENCES: Properties =
-    Properties().apply {
-        checkNotNull(Axis::class.java.getResourceAsStream("scene.properties")) { "scene.properties is missing" }.reader().use(::load)
     }

@@ -10,7 +10,6 @@ import cga.grading.findings.Mistake
 import cga.grading.scene.ProgramFacts
 import cga.grading.scene.ObservedFrame
 import cga.grading.scene.ObservedLight
-import kotlin.math.pow
 import org.joml.Matrix4d
 import org.joml.Vector3d
 import org.joml.Vector3f
@@ -172,6 +171,24 @@ class LightMistakesTest {
     }
 
     @Test
+    fun `one name that nobody waits for earns nothing where nothing is`() {
+        class Starter : Rig() {
+            override val lamps get() = emptyList<Lamp>()
+
+            override fun orbit(dx: Double, dy: Double) = Unit
+
+            override fun groundTint(t: Double) = null
+
+            override fun motorcycleTint(t: Double) = null
+        }
+        val events = listOf(CapturedEvent(EventKind.UNIFORM_ABSENT, 0, "pointLight.color"))
+        val verdict = Starter().verdict(events = events, program = ProgramFacts(unset = emptySet()))
+        assertTrue(verdict[Mistake.UNIFORM_ABSENT] == null, verdict.text())
+        val right = verdict.checks.filter { it.found && it.error == 0.0 }.map { it.check }
+        assertEquals(listOf(Check.ORDER), right, verdict.text())
+    }
+
+    @Test
     fun `a name that nothing waits for explains nothing`() {
         val rig = object : Rig() {
             override fun ownColor(t: Double) = Vector3d()
@@ -217,8 +234,7 @@ class LightMistakesTest {
         }
         val verdict = rig.verdict()
         assertEquals(listOf(Mistake.LIGHT_NOT_CHILD), verdict.mistakes.map { it.mistake }, verdict.text())
-        assertEquals("bike_lamp, headlight", verdict.mistakes.single().where)
-        assertEquals(setOf(Check.SPOT_LIGHT_CHILD), verdict.mistakes.single().explains)
+        verdict.assertCosts(Check.POINT_LIGHT_CHILD)
     }
 
     @Test
@@ -319,7 +335,7 @@ class LightMistakesTest {
         var first: Matrix4d? = null
         val verdict = moved { rig, lamp, view -> (first ?: Matrix4d(view).also { first = it }).transformPosition(rig.world(lamp)) }
         verdict.assertMistake(Mistake.TO_LIGHT_WORLD)
-        assertTrue("the first picture" in verdict[Check.POINT_LIGHT_POSITION]?.text.orEmpty(), verdict.text())
+        assertTrue("place.first-view" in verdict[Check.POINT_LIGHT_POSITION]?.text.orEmpty(), verdict.text())
     }
 
     @Test

@@ -132,7 +132,7 @@ class OrderMistakesTest {
         val verdict = Rig().verdict(events = events)
         verdict.assertRight()
         assertEquals(3, verdict.notes.size, verdict.text())
-        assertTrue(verdict.notes.any { "GL_INVALID_ENUM in glEnable" in it })
+        assertTrue(verdict.notes.any { "GL_INVALID_ENUM in glEnable" in it.arguments })
     }
 
     @Test

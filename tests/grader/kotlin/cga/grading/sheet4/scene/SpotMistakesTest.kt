@@ -156,11 +156,11 @@ class SpotMistakesTest {
         val rig = Rig().apply { head.body.rotateLocal(Rig.radians(8.0) - 10f, 0f, 0f) }
         val verdict = rig.verdict()
         verdict.assertMistake(Mistake.UNKNOWN, Check.SPOT_DIRECTION)
-        val text = verdict.checks.single { it.check == Check.SPOT_DIRECTION }.text
-        assertTrue("backwards and up, as if turned by -10 radians instead of degrees" in text, text)
+        val text = verdict.checks.single { it.check == Check.SPOT_DIRECTION }.message
+        assertEquals(listOf("scene.aim.radians", -10), listOf(text.key, text.arguments.last()))
         val down = Rig().apply { head.body.rotateLocal(Rig.radians(8.0 - 95.0), 0f, 0f) }.verdict()
         down.assertMistake(Mistake.UNKNOWN, Check.SPOT_DIRECTION)
-        assertTrue("it points straight down" in down.checks.single { it.check == Check.SPOT_DIRECTION }.text)
+        assertEquals("scene.aim.straight", down.checks.single { it.check == Check.SPOT_DIRECTION }.message.key)
         // Turned round by any other angle it points the wrong way, and that is all there is to say.
         val other = Rig().apply { head.body.rotateLocal(2.3f, 0f, 0f) }
         other.verdict().assertMistake(Mistake.SPOT_DIRECTION_SIGN)
@@ -228,6 +228,15 @@ class SpotMistakesTest {
         fading(Vector3d(1.0, 0.5, 0.0), spot).assertMistake(Mistake.ATTENUATION_LINEAR, Check.ATTENUATION_POINT)
         fading(spot, point).assertMistake(Mistake.ATTENUATION_OTHER_K, *both)
         fading(Vector3d(1.0, 0.14, 0.07), spot).assertMistake(Mistake.ATTENUATION_OTHER_K)
+    }
+
+    @Test
+    fun `a K that is no number is not right, in any edition`() {
+        val none = Vector3d(Double.NaN)
+        for (profile in listOf(SceneProfile.SHEET, SceneProfile.LATER)) {
+            val verdict = fading(none, none, profile)
+            verdict.assertCosts(Check.ATTENUATION_POINT, Check.ATTENUATION_SPOT, least = 1.0)
+        }
     }
 
     @Test

@@ -18,7 +18,7 @@ internal fun SceneVerdict.text(): String =
     buildList {
         checks.mapTo(this) { "${it.check} ${it.error} ${it.text}" }
         mistakes.mapTo(this) { "! ${it.mistake} ${it.fit} ${it.difference} ${it.where} ${it.alternatives}" }
-        addAll(notes)
+        notes.mapTo(this) { "$it" }
     }.joinToString("\n")
 
 /** Asserts that every check is measured, none is off by more than [tolerance], and no mistake is named. */
@@ -47,7 +47,8 @@ internal fun SceneVerdict.assertCosts(
     least: Double = 0.05,
 ) {
     for (check in checks) {
-        val error = check.error ?: throw AssertionError("${check.check} was not measured: ${check.text}\n\n${text()}")
+        val error = if (check.found) check.error else 1.0
+        if (error == null) throw AssertionError("${check.check} was not measured: ${check.text}\n\n${text()}")
         if (check.check in costs) {
             assertTrue(error >= least) { "${check.check} is only $error: ${check.text}\n\n${text()}" }
         } else {

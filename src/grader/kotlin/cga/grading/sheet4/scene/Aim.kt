@@ -9,13 +9,13 @@ import cga.grading.scene.Shot
 import cga.grading.scene.Trial
 import cga.grading.scene.translation
 import cga.grading.scene.tryAll
+import org.joml.Matrix3d
+import org.joml.Vector3d
+import org.joml.Vector3dc
 import java.lang.Math.IEEEremainder
 import kotlin.math.PI
 import kotlin.math.abs
 import kotlin.math.atan2
-import org.joml.Matrix3d
-import org.joml.Vector3d
-import org.joml.Vector3dc
 
 /** Does the headlight point where the motorcycle goes, and a little down? */
 internal class Aim(private val staging: Staging, private val isConeSent: Boolean) {

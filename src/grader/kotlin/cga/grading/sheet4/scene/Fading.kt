@@ -2,10 +2,10 @@ package cga.grading.sheet4.scene
 
 import cga.grading.findings.Check
 import cga.grading.findings.Mistake
+import cga.grading.scene.maxAbs
 import org.joml.Vector3d
 import org.joml.Vector3dc
 import kotlin.math.abs
-import cga.grading.scene.maxAbs
 
 /** Do the motorcycle's two lights fade as the sheet's table says? What form the attenuation has is for the study of the shader. */
 internal class Fading(private val staging: Staging) {

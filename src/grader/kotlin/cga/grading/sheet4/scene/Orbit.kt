@@ -12,12 +12,12 @@ import cga.grading.scene.Turn
 import cga.grading.scene.bounds
 import cga.grading.scene.text
 import cga.grading.scene.translation
+import org.joml.Matrix4d
+import org.joml.Vector3d
 import kotlin.math.PI
 import kotlin.math.abs
 import kotlin.math.hypot
 import kotlin.math.max
-import org.joml.Matrix4d
-import org.joml.Vector3d
 
 /** Task 4.5: the mouse takes the camera about the motorcycle, with or without Alt, as the submission likes it. */
 internal class Orbit(private val staging: Staging) {

@@ -6,15 +6,15 @@ import cga.grading.capture.Key
 import cga.grading.capture.Moment
 import cga.grading.findings.Check
 import cga.grading.findings.Mistake
-import cga.grading.scene.ProgramFacts
 import cga.grading.scene.ObservedFrame
 import cga.grading.scene.ObservedLight
 import cga.grading.scene.ObservedObject
-import kotlin.math.abs
-import kotlin.math.sin
+import cga.grading.scene.ProgramFacts
 import org.joml.Vector3d
 import org.junit.jupiter.api.Assertions.assertEquals
 import org.junit.jupiter.api.Test
+import kotlin.math.abs
+import kotlin.math.sin
 
 /** What can be wrong with the colours of task 4.4. */
 class ColorMistakesTest {

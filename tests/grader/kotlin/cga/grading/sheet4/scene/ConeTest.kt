@@ -2,12 +2,12 @@ package cga.grading.sheet4.scene
 
 import cga.grading.findings.Mistake
 import cga.grading.scene.ObservedCone
-import kotlin.math.acos
-import kotlin.math.cos
 import org.joml.Vector3d
 import org.junit.jupiter.api.Assertions.assertEquals
 import org.junit.jupiter.api.Assertions.assertTrue
 import org.junit.jupiter.api.Test
+import kotlin.math.acos
+import kotlin.math.cos
 
 class ConeTest {
     @Test

@@ -7,8 +7,6 @@ import cga.grading.findings.Check
 import cga.grading.findings.Mistake
 import cga.grading.scene.ObservedLight
 import cga.grading.scene.ObservedObject
-import kotlin.math.sin
-import kotlin.random.Random
 import org.joml.Matrix4d
 import org.joml.Matrix4f
 import org.joml.Vector3d
@@ -17,6 +15,8 @@ import org.junit.jupiter.api.Assertions.assertEquals
 import org.junit.jupiter.api.Assertions.assertNull
 import org.junit.jupiter.api.Assertions.assertTrue
 import org.junit.jupiter.api.Test
+import kotlin.math.sin
+import kotlin.random.Random
 
 /** What the sheet leaves open earns full points. */
 class FreedomsTest {

@@ -4,7 +4,6 @@ import cga.grading.scene.ObservedCone
 import cga.grading.scene.ObservedFrame
 import cga.grading.scene.ObservedLight
 import cga.grading.scene.ObservedObject
-import kotlin.random.Random
 import org.joml.Matrix4d
 import org.joml.Matrix4dc
 import org.joml.Vector3d
@@ -12,6 +11,7 @@ import org.joml.Vector3dc
 import org.junit.jupiter.api.Assertions.assertEquals
 import org.junit.jupiter.api.Assertions.assertTrue
 import org.junit.jupiter.api.Test
+import kotlin.random.Random
 
 /** What an observation may be like at its worst, and what its usual inaccuracy does. */
 class HostileFramesTest {

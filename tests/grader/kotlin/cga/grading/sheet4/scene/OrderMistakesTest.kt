@@ -6,10 +6,10 @@ import cga.grading.capture.Key
 import cga.grading.capture.Moment
 import cga.grading.findings.Check
 import cga.grading.findings.Mistake
-import cga.grading.scene.ProgramFacts
 import cga.grading.scene.ObservedFrame
 import cga.grading.scene.ObservedLight
 import cga.grading.scene.ObservedObject
+import cga.grading.scene.ProgramFacts
 import org.joml.Matrix4d
 import org.joml.Vector3d
 import org.junit.jupiter.api.Assertions.assertEquals

@@ -8,12 +8,12 @@ import cga.grading.scene.ObservedFrame
 import cga.grading.scene.ObservedLight
 import cga.grading.scene.ObservedObject
 import cga.grading.scene.rigidPart
-import kotlin.math.abs
-import kotlin.math.roundToInt
-import kotlin.math.sin
 import org.joml.Matrix4d
 import org.joml.Vector3d
 import org.joml.Vector3f
+import kotlin.math.abs
+import kotlin.math.roundToInt
+import kotlin.math.sin
 
 /** A light of a [Rig]. */
 internal class Lamp(

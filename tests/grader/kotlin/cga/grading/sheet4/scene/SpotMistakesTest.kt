@@ -5,8 +5,8 @@ import cga.grading.capture.EventKind
 import cga.grading.capture.Moment
 import cga.grading.findings.Check
 import cga.grading.findings.Mistake
-import cga.grading.scene.ProgramFacts
 import cga.grading.scene.ObservedLight
+import cga.grading.scene.ProgramFacts
 import cga.grading.scene.rigidPart
 import org.joml.Matrix4d
 import org.joml.Vector3d

@@ -114,8 +114,8 @@ subprojects {
         // Two cores are what the tests are planned for, and most of them use one.
         maxParallelForks = 2
         maxHeapSize = "2g"
-        // Most tests are over before the optimising compiler has paid.
-        jvmArgs(nativeAccess + listOf("-XX:TieredStopAtLevel=1", "-XX:+UseSerialGC"))
+        // Most tests are over before the optimising compiler has paid. Without it there is room for 48 MB of code only.
+        jvmArgs(nativeAccess + listOf("-XX:TieredStopAtLevel=1", "-XX:ReservedCodeCacheSize=240m", "-XX:+UseSerialGC"))
         systemProperty("java.awt.headless", "true")
         systemProperties(providers.systemPropertiesPrefixedBy("cga.").get())
         // A JVM cannot set its own environment: software rendering, and no more GL than the course asks for.

@@ -1,18 +1,7 @@
 #version 330 core
 // Takes a vertex to the screen and hands the fragment shader the vectors of the lighting model, in view space.
 
-// How many lights shine. The program puts the step's numbers here before compiling, so that a light that is off costs nothing.
-const int LIGHTS = 10;
-
-// solution 4.2.3: what the shader is told of a light, as in scene.frag
-struct Light {
-    vec3 position;     // view space
-    vec3 color;
-    vec3 attenuation;  // K_c, K_l, K_q
-    vec3 direction;    // view space, unit length, away from the light; 0 for a point light
-    vec2 cone;         // 1 - cos of the inner and of the outer angle; more than 2 for a point light: it shines everywhere
-};
-// end of solution
+#include "light.glsl"
 
 layout(location = 0) in vec3 position;  // model space
 layout(location = 1) in vec2 texCoord;
@@ -22,10 +11,6 @@ uniform mat4 modelView;     // model space -> view space, composed on the CPU in
 uniform mat3 normalMatrix;  // the same for normals
 uniform mat4 projection;    // view space -> clip space
 uniform vec2 tcMultiplier;  // how often the textures repeat
-
-// solution 4.2.3: the lights
-uniform Light light[max(LIGHTS, 1)];
-// end of solution
 
 out vec2 surfaceTexCoord;                   // texture coordinates, multiplied
 out vec3 normalView;                        // surface normal, any length

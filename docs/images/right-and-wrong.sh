@@ -55,7 +55,7 @@ side_by_side() {
 
 # 4.1.2: no max(cos, 0). The lights behind a surface take away what the others give.
 fresh
-change scene.frag 's/return clamp(dot(a, b), 0.0, 1.0);/return dot(a, b);/'
+change lighting.glsl 's/return clamp(dot(n, toLight), 0.0, 1.0);/return dot(n, toLight);/'
 close_up no-clamp ../.. "$work/home" --step 4.6 --mouse 800
 
 # 4.2.3: toLight normalised in the vertex shader: bent on large triangles, and its length, the distance, is lost.
@@ -65,7 +65,7 @@ pair normalized-too-early --step 4.3.4
 
 # 4.3.3: the sheet's formula with the letters of its prose: dark inside, light outside.
 fresh
-change scene.frag 's/clamp((cone.y - versine) \/ width, 0.0, 1.0)/cone.x > 2.0 ? 1.0 : clamp((versine - cone.x) \/ width, 0.0, 1.0)/'
+change lighting.glsl 's/clamp((cone.y - versine) \/ width, 0.0, 1.0)/cone.x > 2.0 ? 1.0 : clamp((versine - cone.x) \/ width, 0.0, 1.0)/'
 pair cone-inside-out --step 4.3
 
 # 4.3.3: the direction in world space. The headlight shines where the camera looks, wherever the motorcycle has turned.
@@ -86,7 +86,7 @@ side_by_side narrow-cone
 
 # 4.3.4: no attenuation.
 fresh
-change scene.frag 's/return 1.0 \/ max(k.x + .*/return 1.0;/'
+change lighting.glsl 's/return 1.0 \/ max(k.x + .*/return 1.0;/'
 pair no-attenuation --step 4.6
 
 # 4.4: emission multiplied by the light instead of added to it.
@@ -97,14 +97,14 @@ pair emission-multiplied --step 4.4
 
 # 4.7: the half vector without normalising: its cosine is up to twice as large, and clipped.
 fresh
-change scene.frag 's/clampedCosine(n, normalizeOrZero(sum))/clampedCosine(n, sum)/'
+change lighting.glsl 's/normalizeOrZero(sum)/sum/'
 pair half-vector-not-normalized --step 4.7
 
 # 4.7: the leak, with an exponent of 4, so that it is large enough to see. Left the specular term needs n.l > 0; right it does not, as the
 # sheet has it, and what leaks is drawn in yellow.
 fresh
-change scene.frag 's/pow(cosine, material.shininess)/pow(cosine, 4.0)/'
+change lighting.glsl 's/pow(cosine, material.shininess)/pow(cosine, 4.0)/'
 cp -R "$work/home" "$work/gated"
-sed -i 's/return cosine > 0.0 ?/return cosine > 0.0 \&\& dot(n, toLight) > 0.0 ?/' "$work/gated/shaders/scene.frag"
-change scene.frag 's/^    return (diffuse \* clampedCosine.*/    vec3 shine = specular * specularFactor(n, toLight, toCamera) * lightColor;\n    if (dot(n, toLight) <= 0.0) shine = dot(shine, vec3(1.0)) * vec3(1.0, 1.0, 0.0);\n    return diffuse * clampedCosine(n, toLight) * lightColor + shine;/'
+sed -i 's/return cosine > 0.0 ?/return cosine > 0.0 \&\& dot(n, toLight) > 0.0 ?/' "$work/gated/shaders/lighting.glsl"
+change scene.frag 's/^        vec3 reflected = .*/        vec3 shine = specular * specularFactor(n, toLight, toCamera);\n        if (dot(n, toLight) <= 0.0) shine = dot(shine * light[i].color, vec3(1.0)) \/ light[i].color * vec3(1.0, 1.0, 0.0);\n        vec3 reflected = diffuse * diffuseFactor(n, toLight) + shine;/'
 close_up specular-leak "$work/gated" "$work/home" --step 4.7 --mouse 300 --drive "W 3" --t 5.3

@@ -125,7 +125,7 @@ show_progress() {
         /T E S T S/ { say("testing") }
         /^\[INFO\] Running / && ++classes % 25 == 0 { say(classes " test classes started") }
         /^corpus: / { say(substr($0, 9)) }
-        /^> Task :[a-z]+:(compileKotlin|test)( |$)/ { split($3, of, ":"); say((of[3] == "test" ? "testing " : "compiling ") of[2]) }'
+        /^> Task :[a-z]+:(compileKotlin|test)$/ { split($3, of, ":"); say((of[3] == "test" ? "testing " : "compiling ") of[2]) }'
 }
 
 # The libraries come first and in one order: an archive of their classes stays good whatever becomes of ours. Native code is that of this

@@ -68,7 +68,7 @@ make() {
 }
 
 # enter SYSTEM USER LINE: runs LINE there, in namespaces of its own, so that all processes and mounts end with it. Who was only chrooted may
-# not make the namespaces of a sandbox; pivot_root leaves that open.
+# not make the namespaces of a sandbox, nor may a root without CAP_SYS_ADMIN; pivot_root leaves that open.
 enter() {
     local directory=/root
     [ "$2" = root ] || directory=/home/$2
@@ -79,7 +79,7 @@ enter() {
         mount -t proc proc proc
         mount --rbind /dev dev
         [ -z "$4" ] || mount --bind "$4" var/cache/apt/archives
-        if [ "$7" = yes ]; then pivot_root . . && umount -l . && cd / && change_root=; else change_root="chroot ."; fi
+        if [ "$7" = yes ]; then pivot_root . . && umount -l . && cd / && change_root=; else change_root="setpriv --bounding-set=-sys_admin chroot ."; fi
         set -- "$2" "$3" "$5" "$6" env -i HOME="$3" PATH=/usr/local/sbin:/usr/local/bin:/usr/sbin:/usr/bin:/sbin:/bin TERM=dumb \
             ${http_proxy:+"http_proxy=$http_proxy"} ${https_proxy:+"https_proxy=$https_proxy"}
         user=$1 directory=$2 line=$3 clone=$4

@@ -25,6 +25,7 @@ public:
         const glm::mat4 motorcycle = ride();
         const glm::mat4 view = viewOf(motorcycle * orbit());
         const std::string spot = spotOf(calls);
+        const decltype(Call::values) none{};
         int objects = 0;
         glm::mat4 modelView(1);
         for (Call& call : calls) {
@@ -41,7 +42,8 @@ public:
                 put(call, glm::vec3(view * motorcycle * glm::vec4(0, 0.9f, -1.6f, 1)));
             } else if (call.name.rfind("light[", 0) == 0 && call.name.find("].position") != std::string::npos) {
                 put(call, glm::vec3(view * glm::vec4(corner(call.name[6] - '1'), 1)));
-            } else if (call.name == spot + ".direction") {
+            } else if (call.name == spot + ".direction" && call.values != none) {
+                // A spotlight sends all that a point light does, no direction, and then its own.
                 const glm::mat4 turn = glm::rotate(glm::mat4(1), glm::radians(-4.0f), glm::vec3(1, 0, 0));
                 put(call, glm::normalize(glm::vec3(view * motorcycle * turn * glm::vec4(0, 0, -1, 0))));
             }

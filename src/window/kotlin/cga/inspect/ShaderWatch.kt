@@ -66,6 +66,6 @@ internal class ShaderWatch(private val folder: Path) : AutoCloseable {
 
     private companion object {
         const val PAUSE_MILLIS = 125L
-        val TYPES = setOf("vert", "frag")
+        val TYPES = setOf("vert", "frag", "glsl")
     }
 }

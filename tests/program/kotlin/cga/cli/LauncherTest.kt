@@ -39,9 +39,9 @@ class LauncherTest {
                     .redirectErrorStream(true)
                     .redirectOutput(log)
                     .start()
-            val ended = process.waitFor(60, TimeUnit.SECONDS)
+            val ended = process.waitFor(300, TimeUnit.SECONDS)
             if (!ended) process.destroyForcibly()
-            assertTrue(ended) { "still running after a minute: ${command.toList()}\n${log.readText()}" }
+            assertTrue(ended) { "still running after five minutes: ${command.toList()}\n${log.readText()}" }
             assertEquals(0, process.exitValue()) { log.readText() }
         } finally {
             log.delete()

@@ -1,10 +1,10 @@
 package cga.reader
 
+import cga.exercise.components.shader.ShaderSource
 import cga.reader.run.Machine
 import cga.reader.shader.Kind
 import cga.reader.shader.Stage
 import cga.reader.tape.Tape
-import cga.testing.projectRoot
 import java.lang.management.ManagementFactory
 import kotlin.random.Random
 
@@ -15,7 +15,7 @@ import kotlin.random.Random
  *     java -cp CLASSPATH cga.reader.ReaderBenchKt
  */
 internal fun main() {
-    val text = projectRoot.resolve("shaders/scene.frag").readText()
+    val text = ShaderSource.read("shaders/scene.frag").text
     repeat(ROUNDS) {
         val reading = perSecond(READINGS) { shader(text, Stage.FRAGMENT, "scene.frag") }
         val machine = Machine(shader(text, Stage.FRAGMENT, "scene.frag"))

@@ -42,7 +42,8 @@ class JarredClassPath : BeforeAllCallback {
                     .associate { it.relativeTo(folder).invariantSeparatorsPath to it.readBytes() }
                     .toSortedMap()
             val sum = CRC32().apply { for ((name, bytes) in files) update(name.toByteArray() + bytes) }
-            val name = "${folder.parentFile.name}-${folder.name}"
+            // Both builds, and the parts' tests that run at the same time, have folders of the same name.
+            val name = folder.absoluteFile.relativeTo(projectRoot).invariantSeparatorsPath.replace('/', '-')
             val jars = testingFolder.createDirectories()
             val jar = jars.resolve("$name-%08x.jar".format(sum.value))
             if (jar.exists()) return jar

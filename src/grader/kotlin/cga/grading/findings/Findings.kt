@@ -5,6 +5,7 @@ package cga.grading.findings
  *
  * @param checks one entry for each [Check], reached or not.
  * @param mistakes the hypotheses that explain what differs, most telling first.
+ * @param proof how well all of them together explain it; null where that was not measured.
  */
 public class Findings(
     public val checks: List<Measured>,
@@ -12,6 +13,7 @@ public class Findings(
     public val plots: List<Plot>,
     public val pictures: List<Evidence>,
     public val notes: List<Message>,
+    public val proof: Proof? = null,
 )
 
 /** What is known of a check. */
@@ -87,6 +89,9 @@ public class Measured private constructor(
  * @param alternatives mistakes that draw the same picture and that nothing tells apart.
  * @param explains checks that fail only because of this mistake: they are not charged again, found or not. Null where that was not
  *   determined: then those count that the mistake disturbs by its nature.
+ * @param details more to say of it, each a sentence.
+ * @param places where it is written: the line of a shader, or the Kotlin that made the call and those that called it, the most telling first.
+ * @param proof how well it explains what differs; null where that was not measured.
  */
 public class Found(
     public val mistake: Mistake,
@@ -95,6 +100,9 @@ public class Found(
     public val where: String,
     public val alternatives: List<Mistake> = emptyList(),
     public val explains: Set<Check>? = null,
+    public val details: List<Message> = emptyList(),
+    public val places: List<Place> = emptyList(),
+    public val proof: Proof? = null,
 )
 
 /** A measured curve and the one expected, over the same [x]. */

@@ -10,6 +10,9 @@ internal object Limit {
     const val POINTS = 4096
     const val PICTURES = 96
     const val NOTES = 200
+    const val DETAILS = 32
+    const val PLACES = 8
+    const val LINE = 1_000_000
     const val TEXT = 4000
 }
 
@@ -22,7 +25,7 @@ internal object FindingsReader {
     private val mistakes = Mistake.entries.associateBy { it.id }
 
     fun findings(node: JsonNode): Findings {
-        node.allowOnly("checks", "mistakes", "plots", "pictures", "notes")
+        node.allowOnly("checks", "mistakes", "plots", "pictures", "notes", "proof")
         val measured = node.list("checks", Limit.CHECKS).map(::measured)
         measured.groupBy { it.check }.values.find { it.size > 1 }?.let { node.fail("\"checks\" has ${it[0].check.id} more than once.") }
         return Findings(
@@ -31,6 +34,7 @@ internal object FindingsReader {
             node.list("plots", Limit.PLOTS).map(::plot),
             node.list("pictures", Limit.PICTURES).map(::evidence),
             node.list("notes", Limit.NOTES).map { MessageReader(it).message() },
+            node.find("proof")?.let(::proof),
         )
     }
 
@@ -51,7 +55,7 @@ internal object FindingsReader {
     }
 
     private fun found(node: JsonNode): Found {
-        node.allowOnly("mistake", "fit", "difference", "where", "alternatives", "explains")
+        node.allowOnly("mistake", "fit", "difference", "where", "alternatives", "explains", "details", "places", "proof")
         return Found(
             mistake(node.get("mistake")),
             node.get("fit").finite(),
@@ -59,7 +63,23 @@ internal object FindingsReader {
             node.get("where").limited(),
             node.list("alternatives", Limit.MISTAKES).map(::mistake),
             node.find("explains")?.let(::explained),
+            node.list("details", Limit.DETAILS).map { MessageReader(it).message() },
+            node.list("places", Limit.PLACES).map(::place),
+            node.find("proof")?.let(::proof),
         )
+    }
+
+    private fun place(node: JsonNode): Place {
+        node.allowOnly("file", "line", "first", "source")
+        val source = node.list("source", Place.MOST_LINES).map { it.limited() }
+        return Place(node.get("file").limited(), line(node.get("line")), source, line(node.get("first")))
+    }
+
+    private fun line(node: JsonNode): Int = node.number("a line's number") { text -> text.toIntOrNull()?.takeIf { it in 0..Limit.LINE } }
+
+    private fun proof(node: JsonNode): Proof {
+        node.allowOnly("explained", "left")
+        return Proof(node.get("explained").finite(), node.get("left").finite())
     }
 
     private fun explained(node: JsonNode): Set<Check> =

@@ -18,6 +18,7 @@ internal fun findingsJson(findings: Findings): String {
             putList("plots", findings.plots, Limit.PLOTS, ::plot)
             putList("pictures", findings.pictures, Limit.PICTURES, ::evidence)
             putList("notes", findings.notes.take(Limit.NOTES), Limit.NOTES, ::messageJson)
+            findings.proof?.let { put("proof", proof(it)) }
         }
     return PRETTY.encodeToString(JsonElement.serializer(), json) + "\n"
 }
@@ -45,6 +46,23 @@ private fun found(found: Found) =
         putList("alternatives", found.alternatives.distinct(), Limit.MISTAKES) { JsonPrimitive(it.id) }
         // An empty list says something: that it explains nothing else. JSON lists of ours are never empty, so it is a text.
         found.explains?.let { put("explains", it.joinToString(" ") { check -> check.id }) }
+        putList("details", found.details, Limit.DETAILS, ::messageJson)
+        putList("places", found.places.take(Limit.PLACES), Limit.PLACES, ::place)
+        found.proof?.let { put("proof", proof(it)) }
+    }
+
+private fun place(place: Place) =
+    buildJsonObject {
+        put("file", place.file.take(Limit.TEXT))
+        put("line", place.line)
+        put("first", place.first)
+        putList("source", place.source, Place.MOST_LINES) { JsonPrimitive(it.take(Place.LONGEST)) }
+    }
+
+private fun proof(proof: Proof) =
+    buildJsonObject {
+        put("explained", finite(proof.explained, "explained"))
+        put("left", finite(proof.left, "left"))
     }
 
 private fun plot(plot: Plot): JsonObject {

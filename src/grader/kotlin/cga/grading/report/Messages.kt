@@ -107,6 +107,8 @@ internal class Messages private constructor(
         when {
             share > 0 && share < 0.001 -> "< ${number(0.1)} %"
             share > 10 -> "> 1000 %"
+            // What is nearly all is not all.
+            share < 1 && share > 0.9 -> "${number(minOf(100 * share, 99.9), 1)} %"
             else -> "${number(100 * share, if (share < 0.1) 1 else 0)} %"
         }
 

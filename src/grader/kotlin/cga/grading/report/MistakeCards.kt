@@ -3,6 +3,8 @@ package cga.grading.report
 import cga.grading.findings.Findings
 import cga.grading.findings.Found
 import cga.grading.findings.Mistake
+import cga.grading.findings.Place
+import cga.grading.findings.Proof
 import cga.grading.rubric.CheckGrade
 import cga.grading.rubric.CheckState
 import cga.grading.rubric.Grade
@@ -12,8 +14,10 @@ import kotlinx.html.div
 import kotlinx.html.h2
 import kotlinx.html.li
 import kotlinx.html.p
+import kotlinx.html.pre
 import kotlinx.html.section
 import kotlinx.html.span
+import kotlinx.html.strong
 import kotlinx.html.summary
 import kotlinx.html.ul
 
@@ -56,6 +60,8 @@ private fun FlowContent.card(found: Found, cost: String?, seen: List<String>, pr
             p { +words.text }
             if (seen.isNotEmpty()) ul { seen.forEach { li { +it } } }
             if (found.where.isNotBlank()) p("figures") { +"${messages.text("page.where")}: ${cleanLine(messages.say(found.where))}" }
+            found.details.forEach { p("figures") { +cleanLine(messages.say(it), MOST_SAID) } }
+            places(found.places, messages)
             if (found.alternatives.isNotEmpty()) {
                 p {
                     +messages.text(
@@ -66,12 +72,37 @@ private fun FlowContent.card(found: Found, cost: String?, seen: List<String>, pr
             }
             hint(words.hint, messages)
             proofs.take(MOST_PROOFS).forEach { proof(it, messages) }
-            if (found.mistake !in UNFITTED && found.difference > 0) {
+            val proof = found.proof
+            if (proof != null) {
+                p("note") { +said(proof, messages) }
+            } else if (found.mistake !in UNFITTED && found.difference > 0) {
                 p("note") { +messages.text("page.fit", messages.percent((found.fit / found.difference).coerceIn(0.0, 1.0))) }
             }
         }
     }
 }
+
+/** The line, with the source around it; below it who called it. */
+private fun FlowContent.places(places: List<Place>, messages: Messages) {
+    val first = places.firstOrNull() ?: return
+    p("figures") { +"${messages.text("page.line")}: ${cleanLine("$first")}" }
+    if (first.source.isNotEmpty()) {
+        pre("source") {
+            attributes["tabindex"] = "0"
+            first.source.forEachIndexed { i, line ->
+                val number = first.first + i
+                val text = "${"$number".padStart(NUMBER)}  ${clean(line)}\n"
+                if (number == first.line) strong { +text } else +text
+            }
+        }
+    }
+    val callers = places.drop(1)
+    if (callers.isNotEmpty()) p("figures") { +messages.text("page.called-by", callers.joinToString(" ← ") { cleanLine("$it") }) }
+}
+
+/** [proof] in words. */
+internal fun said(proof: Proof, messages: Messages): String =
+    messages.text("page.proof", messages.percent(proof.explained.coerceIn(0.0, 1.0)), messages.number(proof.left, 1))
 
 /** What no formula was fitted for: it is unknown, or a log tells it. */
 private val UNFITTED =
@@ -109,4 +140,5 @@ internal fun cost(mistake: Mistake, home: CheckGrade?, grade: Grade, messages: M
 /** What is said of a check whose file was replaced. */
 private const val REPLACED = "said.file-replaced"
 private const val MOST_PROOFS = 3
+private const val NUMBER = 4
 private const val MOST_DEVIATIONS = 5

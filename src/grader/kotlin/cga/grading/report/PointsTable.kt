@@ -88,7 +88,7 @@ private fun TD.what(check: CheckGrade, messages: Messages) {
 /** What was measured of [check], as a reader sees it. */
 internal fun said(check: CheckGrade, messages: Messages): String = cleanLine(messages.say(check.message), MOST_SAID)
 
-private const val MOST_SAID = 600
+internal const val MOST_SAID: Int = 600
 
 /** Never told by its colour alone. */
 internal fun sign(state: CheckState): String =

@@ -1,5 +1,6 @@
 package cga.grading.starter
 
+import cga.exercise.components.shader.ShaderSource
 import cga.framework.Home
 import cga.framework.InputError
 import java.nio.file.Files
@@ -48,8 +49,15 @@ public object StarterFiles {
     /** The sources that students write in or read, by their path in the starter. */
     public fun templates(): Map<String, Template> =
         SOURCES.flatMap { below(it, SOURCE_TYPES) }.associate { path ->
-            val template = Template(path, Home.read(path, "source").decodeToString().replace("\r\n", "\n"))
-            path.replace(Regex("^$OURS/"), "$THEIRS/") to template
+            path.replace(Regex("^$OURS/"), "$THEIRS/") to Template(path, source(path))
+        }
+
+    /** What shaders include is put into them: students read one plain file. */
+    private fun source(path: String): String =
+        if (path.startsWith("shaders/")) {
+            ShaderSource.read(path).text
+        } else {
+            Home.read(path, "source").decodeToString().replace("\r\n", "\n")
         }
 
     /** Every file of the starter, by its path. */

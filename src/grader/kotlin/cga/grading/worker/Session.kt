@@ -8,17 +8,21 @@ import java.io.UncheckedIOException
 import java.nio.file.Files
 import java.nio.file.Path
 
-/** The one run of a submission in this JVM, and the file that its capture goes to. */
+/** The run of a submission in this JVM, and the file that its capture goes to. */
 internal object Session {
-    private val tape = Tape()
+    private var tape = Tape()
     private var file: Path? = null
     private var isWritten = false
     private var isClaimed = false
 
     /** Has the capture written to [file], at the latest when the JVM goes down: by `System.exit`, or by a signal that it can hear. */
+    @Synchronized
     fun begin(file: Path) {
+        if (this.file == null) Runtime.getRuntime().addShutdownHook(Thread(::finish))
         this.file = file
-        Runtime.getRuntime().addShutdownHook(Thread(::finish))
+        tape = Tape()
+        isWritten = false
+        isClaimed = false
     }
 
     /** The tape for the one window that there may be. */

@@ -14,9 +14,20 @@ public object WorkerMain {
             System.err.println("usage: WorkerMain <class with main> <capture file> <classes>…")
             exitProcess(USAGE)
         }
-        Session.begin(Path.of(args[1]))
+        run(args[0], Path.of(args[1]), args.drop(2).map { Path.of(it) })
+        // Without waiting for threads of the submission, and without its shutdown hooks.
+        Runtime.getRuntime().halt(0)
+    }
+
+    /** Runs the class [name] of [classes] to its end, and has its capture written to [capture]. */
+    public fun run(
+        name: String,
+        capture: Path,
+        classes: List<Path>,
+    ) {
+        Session.begin(capture)
         try {
-            start(args[0], args.drop(2).map { Path.of(it).toUri().toURL() })
+            start(name, classes.map { it.toUri().toURL() })
         } catch (e: InvocationTargetException) {
             generateSequence(e.targetException) { it.cause }.take(MAX_CAUSES).firstOrNull { it is NoWindow }?.let { giveUp(it, NO_OPENGL) }
             Session.fail(e.targetException)
@@ -28,8 +39,6 @@ public object WorkerMain {
             e.printStackTrace()
         }
         Session.finish()
-        // Without waiting for threads of the submission, and without its shutdown hooks.
-        Runtime.getRuntime().halt(0)
     }
 
     private fun start(

@@ -2,16 +2,14 @@ package cga.measure.mutation
 
 private const val FALLOFF = "1.0 / max(k.x + k.y * sqrt(squared) + k.z * squared, 1.0 / MAX_ATTENUATION)"
 private const val CONE = "float width = cone.y - cone.x;"
-private const val SUM = "reflected(n, toLight, toCamera, diffuse, specular, f * light[i].color)"
+private const val SUM = "reflected * (f * light[i].color)"
 
 /** What is true of the spotlight alone: a point light's cone is wider than any angle. */
 private const val IS_SPOT = "light[i].cone.x < 2.0"
 
-private val SPECULAR_OUTSIDE_OF_CONE =
-    """
-    reflected(n, toLight, toCamera, diffuse, vec3(0.0), f * light[i].color)
-        + reflected(n, toLight, toCamera, vec3(0.0), specular, attenuationFactor(toLightView[i], light[i].attenuation) * light[i].color)
-    """.trimIndent()
+private const val SPECULAR_OUTSIDE_OF_CONE =
+    "(diffuse * diffuseFactor(n, toLight) * f + specular * specularFactor(n, toLight, toCamera) * " +
+        "attenuationFactor(toLightView[i], light[i].attenuation)) * light[i].color"
 
 /** What the light looks like whose world position was sent where one in view space was meant, seen by the camera at rest: 35° down. */
 private const val WORLD_POSITION =
@@ -32,18 +30,18 @@ internal val LIGHT_MUTANTS: List<Mutant> =
             fragment("later lights use the first one's direction", "normalizeOrZero(toLightView[i])", "normalizeOrZero(toLightView[0])"),
             vertex("later lights stand where the first one does", "= light[i].position", "= light[0].position"),
             vertex("lights in world space", "light[i].position - positionView", "$WORLD_POSITION - positionView"),
-            fragment("attenuation missing", FALLOFF, "1.0"),
-            fragment("attenuation without its quadratic part", FALLOFF, "1.0 / (k.x + k.y * sqrt(squared))"),
-            fragment("attenuation's quadratic part 1 % off", "k.z * squared", "1.01 * k.z * squared"),
-            fragment("attenuation by d² where d is meant", "k.y * sqrt(squared)", "k.y * squared"),
-            fragment("cone's inner and outer angle swapped", "clamp((cone.y - versine)", "cone.x > 2.0 ? 1.0 : clamp((versine - cone.x)"),
-            fragment("cone with a hard edge", "if (width > 0.0)", "if (width < 0.0)"),
-            fragment(
+            lighting("attenuation missing", FALLOFF, "1.0"),
+            lighting("attenuation without its quadratic part", FALLOFF, "1.0 / (k.x + k.y * sqrt(squared))"),
+            lighting("attenuation's quadratic part 1 % off", "k.z * squared", "1.01 * k.z * squared"),
+            lighting("attenuation by d² where d is meant", "k.y * sqrt(squared)", "k.y * squared"),
+            lighting("cone's inner and outer angle swapped", "clamp((cone.y - versine)", "cone.x > 2.0 ? 1.0 : clamp((versine - cone.x)"),
+            lighting("cone with a hard edge", "if (width > 0.0)", "if (width < 0.0)"),
+            lighting(
                 "cone with a smooth step for an edge",
                 "clamp((cone.y - versine) / width, 0.0, 1.0)",
                 "1.0 - smoothstep(cone.x, cone.y, versine)",
             ),
-            fragment("cone's angles 1 % too wide", CONE, "cone *= 1.0201; $CONE"),
+            lighting("cone's angles 1 % too wide", CONE, "cone *= 1.0201; $CONE"),
             fragment("specular light outside of the cone", SUM, SPECULAR_OUTSIDE_OF_CONE),
         )
     }

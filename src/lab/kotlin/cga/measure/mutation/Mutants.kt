@@ -15,6 +15,13 @@ internal fun Part.fragment(
     new: String,
 ): Mutant = Mutant(this, name, listOf(TextEdit("shaders/scene.frag", old, new)))
 
+/** The same of the functions that the fragment shader includes. */
+internal fun Part.lighting(
+    name: String,
+    old: String,
+    new: String,
+): Mutant = Mutant(this, name, listOf(TextEdit("shaders/lighting.glsl", old, new)))
+
 /** The same of the vertex shader. */
 internal fun Part.vertex(
     name: String,

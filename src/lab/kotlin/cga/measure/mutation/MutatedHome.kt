@@ -14,7 +14,7 @@ import kotlin.io.path.writeText
 /** A copy of the project's shaders and assets with a mutant's edits in it. */
 internal object MutatedHome {
     private const val PROPERTY = "cga.home"
-    private val READ_BY_PROGRAM = Regex(""".*\.(vert|frag|obj|mtl|png)""")
+    private val READ_BY_PROGRAM = Regex(""".*\.(vert|frag|glsl|obj|mtl|png)""")
 
     /**
      * What [block] answers when every project file that it reads has [edits] in it; where those are in shaders alone it must read no

@@ -1,9 +1,9 @@
 package cga.measure.twin
 
+import cga.exercise.components.shader.ShaderSource
 import cga.exercise.game.Scene
 import cga.framework.FrameDraw
 import cga.framework.FrameTexture
-import cga.framework.Home
 import cga.framework.cooked.CookedFile
 import cga.framework.image.CookedTexture
 import cga.framework.model.CookedModel
@@ -13,6 +13,7 @@ import cga.framework.model.ModelData
 import org.joml.Vector3f
 import java.nio.file.Path
 import kotlin.io.path.writeLines
+import kotlin.io.path.writeText
 
 /**
  * What the C++ twin (tests/glm/twin.cpp) reads: a recorded frame as text, and beside it the meshes and textures as cooked files.
@@ -51,19 +52,28 @@ internal object Recording {
             CookedFile(emptyList(), CookedTexture.encode(texture.image)).write(folder.resolve("$i.texture"))
         }
         val numbers = textures.withIndex().associate { (number, texture) -> texture.image to number }
-        val setUp = header(recorded) + files(folder, textures) + parameters(recorded)
+        val setUp = header(recorded, folder) + files(folder, textures) + parameters(recorded)
         val lines = setUp + "frame" + frame(recorded) { numbers.getValue(it.image) }
         return folder.resolve(FILE).also { it.writeLines(lines) }
     }
 
-    private fun header(recorded: RecordedFrame): List<String> =
+    private fun header(
+        recorded: RecordedFrame,
+        folder: Path,
+    ): List<String> =
         listOf(
             "cga-twin 1",
             "size ${recorded.picture.width} ${recorded.picture.height}",
             "samples ${recorded.samples}",
-            "vertex-shader ${Home.resolve(Scene.VERTEX_SHADER).toAbsolutePath()}",
-            "fragment-shader ${Home.resolve(Scene.FRAGMENT_SHADER).toAbsolutePath()}",
+            "vertex-shader ${shader(Scene.VERTEX_SHADER, folder)}",
+            "fragment-shader ${shader(Scene.FRAGMENT_SHADER, folder)}",
         ) + recorded.constants.map { (name, value) -> "constant $name $value" }
+
+    /** The shader in one file, with what it includes. */
+    private fun shader(
+        path: String,
+        folder: Path,
+    ): Path = folder.resolve(Path.of(path).fileName).toAbsolutePath().also { it.writeText(ShaderSource.read(path).text) }
 
     private fun files(
         folder: Path,

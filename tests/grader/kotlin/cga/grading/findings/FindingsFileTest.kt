@@ -29,7 +29,10 @@ class FindingsFileTest {
             ),
             listOf(
                 Found(Mistake.CONE_INSIDE_OUT, 0.01, 0.5, "spot", listOf(Mistake.UNKNOWN), setOf(Check.CONE_SPECULAR, Check.SPOT_LIGHT)),
-                Found(Mistake.PHONG_LEFT, 0.0, 0.1, "", explains = emptySet()),
+                Found(
+                    Mistake.PHONG_LEFT, 0.0, 0.1, "", explains = emptySet(), details = listOf(Message.plain("d")),
+                    places = listOf(Place("a.glsl", 5).within("1\n2\n3\n4\n5\n6"), Place.of("game/Scene.kt:12")), proof = Proof(0.997, 0.4),
+                ),
                 Found(Mistake.MOUSE_JUMP, 0.0, 0.1, ""),
             ),
             listOf(Plot(Check.CONE, "t", "x", "y", doubleArrayOf(0.0, 1e-300), doubleArrayOf(1.0, 0.1), doubleArrayOf(-1.0, 0.3))),
@@ -54,6 +57,10 @@ class FindingsFileTest {
         assertEquals("ä \" \\ \u0000", read.checks[0].text)
         assertEquals(listOf(true, true, false), read.checks.map { it.found })
         assertEquals(listOf(setOf(Check.CONE_SPECULAR, Check.SPOT_LIGHT), emptySet(), null), read.mistakes.map { it.explains })
+        val phong = read.mistakes[1]
+        assertEquals(listOf("a.glsl:5", "game/Scene.kt:12"), phong.places.map { "$it" })
+        assertEquals(2 to listOf("2", "3", "4", "5", "6"), phong.places[0].first to phong.places[0].source)
+        assertEquals(0.997 to 0.4, phong.proof?.explained to phong.proof?.left)
         assertEquals(1e-300, read.plots[0].x[1])
         assertEquals(listOf("b-2.png", null), read.pictures.map { it.expected })
         assertEquals(listOf(0.5, "name", listOf(1.0, 2.0), Message.of("inner", ""), "NaN"), read.notes[1].arguments)

@@ -13,7 +13,9 @@ import cga.grading.findings.Measured
 import cga.grading.findings.Message
 import cga.grading.findings.Mistake
 import cga.grading.findings.Outcome
+import cga.grading.findings.Place
 import cga.grading.findings.Plot
+import cga.grading.findings.Proof
 import cga.grading.findings.Refused
 import cga.grading.findings.RunFacts
 import cga.grading.rubric.Rubric
@@ -27,6 +29,13 @@ import kotlin.math.sin
 
 /** Findings as they come out of the analysis, with pictures made from the golden images. */
 internal object Fakes {
+    private const val SHADER =
+        "vec3 highlight(vec3 n, vec3 l, vec3 v, float shininess) {\n    // Phong\n    vec3 r = reflect(-l, n);\n" +
+            "    float cosBeta = max(dot(r, v), 0.0);\n    return vec3(pow(cosBeta, shininess));\n}\n"
+    private const val KOTLIN =
+        "    override fun bind(program: ShaderProgram, name: String) {\n        super.bind(program, name)\n" +
+            "        program.setUniform(\"name.attenuation\", attenuation)\n    }\n"
+
     const val HOSTILE = "<img src=x onerror=alert(1)> \"' onload=alert(2) x='\u0000\u202Egnp.exe\u001B[31m ]]> &amp;"
 
     private val golden = projectRoot.toPath().resolve("tests/golden")
@@ -61,8 +70,18 @@ internal object Fakes {
         }
         val mistakes =
             listOf(
-                Found(Mistake.CONE_INSIDE_OUT, 0.002, 0.31, "spotLight, in shaders/tron_frag.glsl"),
-                Found(Mistake.PHONG_LEFT, 0.004, 0.08, "shaders/tron_frag.glsl", listOf(Mistake.HALF_VECTOR_NOT_NORMALIZED)),
+                Found(
+                    Mistake.CONE_INSIDE_OUT, 0.002, 0.31, "spotLight", proof = Proof(0.52, 3.4),
+                    places = listOf(
+                        Place("cga/exercise/components/light/SpotLight.kt", 3).within(KOTLIN),
+                        Place("cga/exercise/game/Scene.kt", 88),
+                        Place("cga/exercise/game/Game.kt", 31),
+                    ),
+                ),
+                Found(
+                    Mistake.PHONG_LEFT, 0.004, 0.08, "spotLight", listOf(Mistake.HALF_VECTOR_NOT_NORMALIZED),
+                    places = listOf(Place("assets/shaders/tron_frag.glsl", 5).within(SHADER)), proof = Proof(0.997, 0.4),
+                ),
                 Found(Mistake.MORE_LIGHTS_MISSING, 0.0, 0.2, ""),
             )
         val cone = Evidence(Check.CONE, Message.plain("Spotlight alone, first frame"), "spot-measured.png", "spot-expected.png")
@@ -89,7 +108,13 @@ internal object Fakes {
                 Evidence(Check.CONE, Message.plain(HOSTILE), "gone.png", null),
             )
         val findings =
-            Findings(checks, listOf(Found(Mistake.UNKNOWN, 0.3, 0.3, HOSTILE)), listOf(curve), pictures, listOf(Message.plain(HOSTILE)))
+            Findings(
+                checks,
+                listOf(Found(Mistake.UNKNOWN, 0.3, 0.3, HOSTILE, places = listOf(Place(HOSTILE, 1, listOf(HOSTILE)), Place(HOSTILE, 2)))),
+                listOf(curve),
+                pictures,
+                listOf(Message.plain(HOSTILE)),
+            )
         val logs = listOf(LogExcerpt(HOSTILE, HOSTILE.repeat(2000)))
         return Graded(findings, RunFacts(HOSTILE, HOSTILE, HOSTILE, mapOf(HOSTILE to 1.0), 1, logs))
     }

@@ -42,7 +42,8 @@ class IsolationTest {
     @Test
     fun `a folder that is missing is one message, and one that the job may not see a mistake of ours`() {
         val missing = hostile.scratch.resolve("missing")
-        val error = assertThrows(InputError::class.java) { Hostile.confined().run(Job(listOf("true"), missing)) }
+        val sandbox = Hostile.confined()
+        val error = assertThrows(InputError::class.java) { sandbox.run(Job(listOf("true"), missing)) }
         assertTrue("$missing" in error.message.orEmpty()) { error.message }
         assertThrows(IllegalArgumentException::class.java) { Job(listOf("true"), hostile.scratch, workingDirectory = hostile.outside) }
     }

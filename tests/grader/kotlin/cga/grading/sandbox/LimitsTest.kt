@@ -45,7 +45,8 @@ class LimitsTest {
     @Test
     fun `a fork bomb is stopped, and nothing of it survives`() {
         val marker = UUID.randomUUID().toString()
-        val outcome = hostile.shell("f() { sh -c \"sleep 1000; : $marker\" & f | f & }; f; sleep 1000", Limits(tasks = 60))
+        val bomb = "f() { sh -c \"sleep 1000; : $marker\" & f | f & }; f; sleep 1000"
+        val outcome = hostile.shell(bomb, Limits(wallSeconds = 10.0, tasks = 60))
         assertExceeded(Limit.PROCESSES, outcome)
         assertFalse(Hostile.isAlive(marker))
     }

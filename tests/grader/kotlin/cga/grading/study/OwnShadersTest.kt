@@ -1,5 +1,6 @@
 package cga.grading.study
 
+import cga.exercise.components.shader.ShaderSource
 import cga.testing.Offscreen
 import cga.testing.Slow
 import cga.testing.assertNear
@@ -11,8 +12,6 @@ import org.junit.jupiter.api.Assertions.assertEquals
 import org.junit.jupiter.api.Assertions.assertTrue
 import org.junit.jupiter.api.Test
 import org.junit.jupiter.api.extension.ExtendWith
-import java.nio.file.Path
-import kotlin.io.path.readText
 import kotlin.math.cos
 
 /** The shaders that every starter submission begins with. */
@@ -93,10 +92,5 @@ class OwnShadersTest {
         file: String,
         points: Int,
     ): String =
-        Path
-            .of(
-                "shaders",
-                file,
-            ).readText()
-            .edited("LIGHTS = 10", "LIGHTS = ${points + 1}")
+        ShaderSource.read("shaders/$file").text.edited("LIGHTS = 10", "LIGHTS = ${points + 1}")
 }

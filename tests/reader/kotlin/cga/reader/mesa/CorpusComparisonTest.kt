@@ -1,5 +1,6 @@
 package cga.reader.mesa
 
+import cga.exercise.components.shader.ShaderSource
 import cga.reader.shader
 import cga.reader.shader.Stage
 import cga.testing.Offscreen
@@ -40,12 +41,12 @@ class CorpusComparisonTest {
     private fun shaders(): List<File> =
         listOf("tests/submissions", "shaders")
             .flatMap { projectRoot.resolve(it).walk() }
-            .filter { it.extension in setOf("glsl", "vert", "frag") && (it.extension != "glsl" || '_' in it.name) }
+            .filter { it.extension in setOf("vert", "frag") || it.extension == "glsl" && '_' in it.name }
             .sorted()
 
     /** One program of the corpus puts its shaders together itself. */
     private fun expanded(file: File): String =
-        file.readLines().joinToString("\n") { line ->
+        ShaderSource.read("$file").text.lines().joinToString("\n") { line ->
             if (line.startsWith("//#include ")) expanded(file.resolveSibling(line.substringAfter(' ').trim())) else line
         }
 

@@ -1,10 +1,10 @@
 package cga.reader.spirv
 
+import cga.exercise.components.shader.ShaderSource
 import cga.reader.Reading
 import cga.reader.glsl.GlslCompiler
 import cga.reader.run.Machine
 import cga.reader.shader.Stage
-import cga.testing.projectRoot
 import org.junit.jupiter.api.Assertions.assertEquals
 import org.junit.jupiter.api.Assertions.assertTrue
 import org.junit.jupiter.api.Test
@@ -15,7 +15,7 @@ import kotlin.random.Random
 
 /** A module that is not as SPIR-V has it is refused with what is wrong; nothing else is thrown, and nothing hangs. */
 class ModuleTest {
-    private val text = projectRoot.resolve("shaders/scene.frag").readText()
+    private val text = ShaderSource.read("shaders/scene.frag").text
     private val sound = checkNotNull(GlslCompiler.compile("scene.frag", text, Stage.FRAGMENT).binary)
 
     @Test

@@ -1,5 +1,6 @@
 package cga.exercise.game
 
+import cga.exercise.components.shader.ShaderSource
 import cga.framework.Frame
 import cga.framework.FrameDraw
 import cga.framework.FrameLight
@@ -14,7 +15,6 @@ import org.junit.jupiter.api.Assertions.assertEquals
 import org.junit.jupiter.api.Assertions.assertNotEquals
 import org.junit.jupiter.api.Assertions.assertTrue
 import org.junit.jupiter.api.Test
-import java.io.File
 import kotlin.math.PI
 import kotlin.math.abs
 import kotlin.math.sin
@@ -72,7 +72,7 @@ class SceneFrameTest {
     @Test
     fun `the shaders have room for the lights`() {
         for (shader in listOf("shaders/scene.vert", "shaders/scene.frag")) {
-            val source = File(shader).readText()
+            val source = ShaderSource.read(shader).text
             assertTrue("const int LIGHTS = 10;" in source) { shader }
         }
         assertTrue(start.lights.size <= 10)

@@ -1,12 +1,12 @@
 package cga.inspect.doctor
 
 import cga.exercise.components.shader.ShaderProgram
+import cga.exercise.components.shader.ShaderSource
 import cga.exercise.game.DriveScript
 import cga.exercise.game.Scene
 import cga.exercise.game.ScriptedScene
 import cga.exercise.game.Step
 import cga.framework.Frame
-import cga.framework.Home
 import cga.inspect.view.InspectedProgram
 import cga.inspect.view.Look
 import cga.inspect.view.Traffic
@@ -224,7 +224,7 @@ class SceneDoctorTest {
         val look = Look()
         val traffic = Traffic()
         val source = folder.resolve("scene.frag")
-        source.writeText(fragment(Home.read("shaders/scene.frag", "shader").decodeToString()))
+        source.writeText(fragment(ShaderSource.read("shaders/scene.frag").text))
         val player =
             ScriptedScene(160, 90, step, DriveScript.NONE) { v, _, constants -> program(Made(v, "$source", constants, look, traffic)) }
         player.advanceTo(ScriptedScene.PRETTY_TIME)

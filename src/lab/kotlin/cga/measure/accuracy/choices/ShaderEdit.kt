@@ -4,6 +4,8 @@ import cga.framework.Home
 import cga.framework.InputError
 import kotlin.io.path.createDirectories
 import kotlin.io.path.createTempDirectory
+import kotlin.io.path.listDirectoryEntries
+import kotlin.io.path.name
 import kotlin.io.path.writeText
 
 /** Another way to write a part of `shaders/`[file]: [replacement] for every [text]. */
@@ -39,9 +41,9 @@ internal class EditedHome : AutoCloseable {
         edits: List<ShaderEdit>,
         make: () -> T,
     ): T {
-        for (name in listOf(VERTEX, FRAGMENT)) {
-            val original = Home.read("shaders/$name", "shader").decodeToString().replace("\r\n", "\n")
-            shaders.resolve(name).writeText(edits.filter { it.isOf(name) }.fold(original) { text, edit -> edit.applyTo(text) })
+        for (file in Home.resolve("shaders").listDirectoryEntries("*.{vert,frag,glsl}")) {
+            val original = Home.read(file, "shader").decodeToString().replace("\r\n", "\n")
+            shaders.resolve(file.name).writeText(edits.filter { it.isOf(file.name) }.fold(original) { text, edit -> edit.applyTo(text) })
         }
         val usual: String? = System.getProperty(PROPERTY)
         System.setProperty(PROPERTY, "$home")
@@ -59,6 +61,7 @@ internal class EditedHome : AutoCloseable {
     companion object {
         const val VERTEX = "scene.vert"
         const val FRAGMENT = "scene.frag"
+        const val LIGHTING = "lighting.glsl"
         private const val PROPERTY = "cga.home"
     }
 }

@@ -1,8 +1,7 @@
 package cga.measure.accuracy.choices
 
-import cga.framework.Home
-import cga.framework.InputError
 import cga.measure.accuracy.choices.EditedHome.Companion.FRAGMENT
+import cga.measure.accuracy.choices.EditedHome.Companion.LIGHTING
 import cga.measure.accuracy.choices.EditedHome.Companion.VERTEX
 import kotlin.math.sin
 
@@ -32,7 +31,7 @@ internal object ShaderVariants {
     val cosines: List<ShaderEdit> =
         listOf(
             ShaderEdit(
-                FRAGMENT,
+                LIGHTING,
                 """
                 |    vec3 chord = fromLight - direction;
                 |    float versine = 0.5 * dot(chord, chord);
@@ -60,22 +59,12 @@ internal object ShaderVariants {
     /** Per-vertex lighting (Gouraud 1971): both sums over the lights are computed at the vertices and interpolated. */
     fun lightPerVertex(): List<ShaderEdit> =
         listOf(
-            ShaderEdit(VERTEX, "\nvoid main() {\n", "$VERTEX_DECLARATIONS\n${lightFunctions()}\nvoid main() {\n"),
+            ShaderEdit(VERTEX, "\nvoid main() {\n", "$VERTEX_DECLARATIONS\nvoid main() {\n"),
             ShaderEdit(VERTEX, "    gl_Position =", "$VERTEX_SUMS\n    gl_Position ="),
             ShaderEdit(FRAGMENT, "\nvoid main() {\n", "\nin vec3 diffuseLight;\nin vec3 specularLight;\n\nvoid main() {\n"),
             ShaderEdit(FRAGMENT, "i < LIGHTS", "i < 0"),
             ShaderEdit(FRAGMENT, "    fragColor =", "    color += diffuse * diffuseLight + specular * specularLight;\n    fragColor ="),
         )
-
-    /** The fragment shader's constants and functions of one light. */
-    private fun lightFunctions(): String {
-        val source = Home.read("shaders/$FRAGMENT", "shader").decodeToString().replace("\r\n", "\n")
-        val start = source.indexOf("vec3 normalizeOrZero")
-        val end = source.indexOf("// The part of light")
-        if (start !in 0..end) throw InputError("shaders/$FRAGMENT has other functions than the accuracy report moves to the vertices.")
-        val constants = source.lines().filter { it.startsWith("const float ") }
-        return constants.joinToString("\n", postfix = "\n") + source.substring(start, end)
-    }
 
     /** 1 − cos of degrees, as SpotLight computes it, as the float that it sends. */
     private fun versine(degrees: Double): Float = (2 * sin(Math.toRadians(degrees) / 2).let { it * it }).toFloat()
@@ -83,9 +72,8 @@ internal object ShaderVariants {
     private val VERTEX_DECLARATIONS =
         """
 
-        struct Material { sampler2D emissive; sampler2D diffuse; sampler2D specular; float shininess; };
-        uniform Material material;
-        uniform bool blinnPhong;
+        #include "material.glsl"
+        #include "lighting.glsl"
         out vec3 diffuseLight;
         out vec3 specularLight;
         """.trimIndent()
@@ -100,7 +88,7 @@ internal object ShaderVariants {
             vec3 l = normalizeOrZero(toLightView[i]);
             vec3 incident = attenuationFactor(toLightView[i], light[i].attenuation) * light[i].color
                 * coneIntensity(-l, light[i].direction, light[i].cone);
-            diffuseLight += clampedCosine(n, l) * incident;
+            diffuseLight += diffuseFactor(n, l) * incident;
             specularLight += specularFactor(n, l, toCamera) * incident;
         }
         """.trimIndent().prependIndent("    ")

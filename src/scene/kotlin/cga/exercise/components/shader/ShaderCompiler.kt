@@ -41,7 +41,7 @@ internal object ShaderCompiler {
         if (glGetShaderi(shader, GL_COMPILE_STATUS) == GL_FALSE) {
             val log = glGetShaderInfoLog(shader)
             glDeleteShader(shader)
-            throw ShaderError(explain(source.path, source.text, log))
+            throw ShaderError(explain(source, log))
         }
         return shader
     }
@@ -49,22 +49,18 @@ internal object ShaderCompiler {
     // Mesa "0:12(5): error: …", NVIDIA "0(12) : error …", AMD, Intel and Apple "ERROR: 0:12: …".
     private val LOCATION = Regex("""^(?:(?:ERROR|WARNING):\s*)?\d+[:(](\d+)\)?(?:\((\d+)\))?\s*:\s*(.*)$""")
 
-    /** The driver's [log] about the shader [path] as `path:line: message`, each with its source line below. */
+    /** The driver's [log] about [source] as `file:line: message`, each with its source line below. */
     fun explain(
-        path: String,
-        source: String,
+        source: ShaderSource,
         log: String,
+    ): String = log.trim().lines().filter(String::isNotBlank).joinToString("\n") { explainEntry(source, it.trim()) }
+
+    private fun explainEntry(
+        source: ShaderSource,
+        entry: String,
     ): String {
-        val lines = source.lines()
-        return log
-            .trim()
-            .lines()
-            .filter(String::isNotBlank)
-            .joinToString("\n") { entry ->
-                val found = LOCATION.find(entry.trim()) ?: return@joinToString "$path: ${entry.trim()}"
-                val (line, _, message) = found.destructured
-                val text = lines.getOrNull(line.toInt() - 1)?.let { "\n    ${it.trim()}" }.orEmpty()
-                "$path:$line: $message$text"
-            }
+        val (number, _, message) = LOCATION.find(entry)?.destructured ?: return "${source.path}: $entry"
+        val line = source.line(number.toInt()) ?: return "${source.path}:$number: $message"
+        return "${line.file}:${line.number}: $message\n    ${line.text.trim()}"
     }
 }

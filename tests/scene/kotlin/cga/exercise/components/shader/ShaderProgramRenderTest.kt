@@ -32,7 +32,7 @@ class ShaderProgramRenderTest {
 
     @Test
     fun `a compile error names file and line and shows the line`() {
-        val source = projectRoot.resolve("shaders/scene.frag").readText()
+        val source = ShaderSource.read("shaders/scene.frag").text
         val line = "vec3 toCamera = normalizeOrZero(toCameraView);"
         val number = source.lines().indexOfFirst { it.trim() == line } + 1
         fragment.writeText(source.replace(line, "vec3 toCamera = normaliseOrZero(toCameraView);"))

@@ -151,7 +151,7 @@ internal class Orbit(private val staging: Staging) {
         // A camera that nods a little where it stands when the mouse moves up or down still has the motorcycle before it.
         val nods = (fitted.turning - fitted.answers.toSet()).filter { it.turn.moved < IN_PLACE * it.turn.angle }
         val isFree = nods.sumOf { it.turn.angle } < LITTLE
-        val turning = (if (isFree) fitted.turning - nods.toSet() else fitted.turning)
+        val turning = (if (isFree) fitted.turning - nods.toSet() else fitted.turning).ifEmpty { fitted.turning }
         val worst = turning.maxBy { it.turn.passesBy(box) }
         val error = worst.turn.passesBy(box)
         val onTheSpot = fitted.answers.all { it.turn.moved < IN_PLACE * it.turn.angle }
@@ -230,7 +230,7 @@ internal class Orbit(private val staging: Staging) {
         val rule = fitted.paced?.rule
         val isJump = rule?.mistake == Mistake.MOUSE_JUMP
         if (first.turn.angle <= pace && !isJump) return Axis.right(Check.ORBIT_START, 0.0, say("mouse.waits"))
-        val jump = if (first.turn.angle > pace) first else fitted.answers.first()
+        val jump = if (first.turn.angle > pace) first else fitted.answers.firstOrNull() ?: first
         val pixels = jump.turn.angle / pace
         val corner = listOf(jump.move.at.x, jump.move.at.x + 1, hypot(jump.move.at.x, jump.move.at.y))
         val fit = corner.minOf { abs(pixels / it - 1) }

@@ -190,7 +190,7 @@ class LayerTest {
 
     private companion object {
         /** Parts of the grader that run in the sandbox: they are started by name, and nothing outside of it may call them. */
-        val JOBS = listOf("submission", "worker", "analysis", "study", "scene", "replay", "substitute")
+        val JOBS = listOf("submission", "likeness", "worker", "analysis", "study", "scene", "replay", "substitute")
 
         /** Parts that start jobs and hand on what those say. */
         val BETWEEN_JOBS = listOf("pipeline", "prepared")

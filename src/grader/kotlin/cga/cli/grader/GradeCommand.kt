@@ -2,6 +2,7 @@ package cga.cli.grader
 
 import cga.cli.requireUsage
 import cga.framework.AtomicFile
+import cga.framework.InputError
 import cga.grading.course.CourseReport
 import cga.grading.course.CourseRun
 import cga.grading.course.CourseSettings
@@ -29,6 +30,8 @@ import com.github.ajalt.clikt.parameters.options.required
 import com.github.ajalt.clikt.parameters.types.int
 import com.github.ajalt.clikt.parameters.types.path
 import com.github.ajalt.clikt.parameters.types.restrictTo
+import kotlin.io.path.isDirectory
+import kotlin.io.path.isRegularFile
 
 /** What `cga grade` asks of whoever grades one submission. */
 internal class PipelineSettings(
@@ -96,10 +99,21 @@ internal class GradeCommand(
                 graded to missing
             }
         summarize(graded, missing)
+        // One of many that is none is its student's affair; the only one is a mistake of whoever typed it.
+        graded.singleOrNull()?.refusal?.takeIf { it.reason == FailureReason.NOT_RECOGNIZED && gradescope == null && !merge }?.let {
+            throw InputError(it.detail)
+        }
         if (missing.isNotEmpty() || graded.any { it.points == null }) throw ProgramResult(INCOMPLETE)
     }
 
     private fun checkUsage() {
+        if ("$out".isEmpty()) throw InputError("--out is empty: name a folder.")
+        for (submission in submissions) {
+            if ("$submission".isEmpty()) throw InputError("the name of a submission is empty: name its folder or its archive.")
+            if (!submission.isDirectory() && !submission.isRegularFile()) {
+                throw InputError("$submission is neither a folder nor a file: name the folder or the archive of a submission.")
+            }
+        }
         requireUsage(!merge || shard.count == 1) { "--merge puts shards together: leave --shard away" }
         requireUsage(!merge || gradescope == null) { "--gradescope is for one submission: leave --merge away" }
         requireUsage(gradescope == null || submissions.size == 1) { "--gradescope is for one submission, not ${submissions.size}" }

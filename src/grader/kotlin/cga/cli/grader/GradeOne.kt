@@ -17,7 +17,7 @@ internal fun gradeOne(settings: PipelineSettings): GradeOne {
     val sandbox = if (settings.unsafeNoSandbox) Sandbox.unconfined() else Sandbox.confined()
     val home = Home.resolve("build/cga/grading").toAbsolutePath()
     return try {
-        Pipeline(sandbox, settings.edition?.let(Edition::named), home, sharesCompiler = settings.sharesCompiler)
+        Pipeline(sandbox, settings.edition?.let(Edition::named), home, sharesCompiler = settings.sharesCompiler, comparesSolutions = true)
     } catch (e: IOException) {
         throw InputError("cannot write to $home (${e.reason()}): is the disk full or the folder read-only?", e)
     }

@@ -5,6 +5,8 @@ import cga.framework.context.OffscreenContext
 import cga.grading.capture.BadCapture
 import cga.grading.capture.CaptureFile
 import cga.grading.findings.FindingsFile
+import cga.grading.findings.LikenessFile
+import cga.grading.likeness.CaptureShape
 import cga.grading.replay.ReplayError
 import java.nio.file.Path
 import kotlin.system.exitProcess
@@ -25,6 +27,7 @@ public object AnalysisMain {
     private fun run(file: Path, folder: Path, edition: String): Int =
         try {
             val capture = CaptureFile.read(file)
+            LikenessFile.write(CaptureShape.keys(capture), folder)
             OffscreenContext.open().use { FindingsFile.write(Analysis(capture, edition, folder).findings(), folder) }
             0
         } catch (e: BadCapture) {

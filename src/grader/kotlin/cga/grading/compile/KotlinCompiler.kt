@@ -1,15 +1,16 @@
 package cga.grading.compile
 
+import cga.framework.AtomicFile
 import cga.framework.InputError
 import cga.grading.sandbox.JavaCommand
+import cga.grading.sandbox.Scratch
+import cga.grading.sandbox.Temporary
 import java.io.IOException
-import java.nio.file.Files
 import java.nio.file.Path
 import java.util.concurrent.TimeUnit.SECONDS
+import kotlin.io.path.copyTo
 import kotlin.io.path.createDirectories
-import kotlin.io.path.createTempDirectory
 import kotlin.io.path.exists
-import kotlin.io.path.moveTo
 import kotlin.io.path.writeText
 
 /**
@@ -67,7 +68,7 @@ public class KotlinCompiler internal constructor(
     internal fun warmUp() {
         if (archive == null || archive.exists()) return
         archive.parent.createDirectories()
-        val folder = createTempDirectory(archive.parent, "warm-up")
+        val folder = Temporary.folder("warm-up")
         try {
             val source = folder.resolve("A.kt").apply { writeText(WARM_UP) }
             val made = folder.resolve("made.jsa")
@@ -78,11 +79,11 @@ public class KotlinCompiler internal constructor(
                 .start()
             if (!process.waitFor(WARM_UP_SECONDS, SECONDS)) process.destroyForcibly().waitFor()
             // Others may be making it too: whoever is last replaces it with the same.
-            if (process.exitValue() == 0 && made.exists()) made.moveTo(archive, overwrite = true)
+            if (process.exitValue() == 0 && made.exists()) AtomicFile.write(archive) { made.copyTo(it, overwrite = true) }
         } catch (e: IOException) {
             throw InputError("the compiler's class archive cannot be made in ${archive.parent} (${e.message}): is the folder writable?", e)
         } finally {
-            Files.walk(folder).use { paths -> paths.sorted(Comparator.reverseOrder()).forEach { Files.deleteIfExists(it) } }
+            Scratch.delete(folder)
         }
     }
 

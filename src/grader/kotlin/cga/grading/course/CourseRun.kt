@@ -45,7 +45,8 @@ public class CourseRun(
         Manifest(shard, submissions.map { Manifest.Entry(it.name, it.folder) }).write(store.out)
         val workers = Executors.newFixedThreadPool(settings.jobs)
         try {
-            return workers.invokeAll(submissions.map { Callable { grade(it) } }).map { it.get() }
+            val graded = workers.invokeAll(submissions.map { Callable { grade(it) } }).map { it.get() }
+            return pages.withTwins(graded, listener)
         } catch (e: ExecutionException) {
             // Only what concerns all comes so far: the disk is full, the folder was removed.
             throw e.cause ?: e

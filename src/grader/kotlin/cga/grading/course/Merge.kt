@@ -60,7 +60,7 @@ public class Merge(
             pages.writeOrComplain(it, listener)
             listener.finished(it, isNew = false)
         }
-        return Merged(submissions, lacking.values.toList(), warnings)
+        return Merged(pages.withTwins(submissions, listener), lacking.values.toList(), warnings)
     }
 
     private fun take(part: Path, entry: Manifest.Entry) {

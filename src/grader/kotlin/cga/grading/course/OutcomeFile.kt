@@ -5,8 +5,10 @@ import cga.framework.InputError
 import cga.grading.findings.FailureReason
 import cga.grading.findings.FindingsFile
 import cga.grading.findings.Graded
+import cga.grading.findings.Likeness
 import cga.grading.findings.LogExcerpt
 import cga.grading.findings.Outcome
+import cga.grading.findings.Part
 import cga.grading.findings.Refused
 import cga.grading.findings.RunFacts
 import cga.imaging.JsonNode
@@ -67,10 +69,17 @@ internal object OutcomeFile {
             facts.edition?.let { put("edition", it.take(MOST_TEXT)) }
             facts.compiler?.let { put("compiler", it.take(MOST_TEXT)) }
             if (!facts.isConfined) put("unconfined", true)
+            if (facts.likeness.keys.isNotEmpty()) put("likeness", likeness(facts.likeness))
             facts.peakBytes?.let { put("peakBytes", it) }
             put("seconds", JsonObject(facts.seconds.filterValues { it.isFinite() }.mapValues { JsonPrimitive(it.value) }))
             val logs = facts.logs.take(MOST_LOGS)
             if (logs.isNotEmpty()) put("logs", JsonArray(logs.map(::log)))
+        }
+
+    private fun likeness(likeness: Likeness) =
+        buildJsonObject {
+            likeness.keys.forEach { (part, key) -> put(part.id, key) }
+            put("solution", likeness.solution.joinToString(" ") { it.id })
         }
 
     private fun log(log: LogExcerpt) =
@@ -116,7 +125,16 @@ internal object OutcomeFile {
             node.find("peakBytes")?.number("a whole number", String::toLongOrNull),
             node.find("logs")?.list().orEmpty().map { LogExcerpt(it.get("title").optionalText(), it.get("text").optionalText()) },
             isConfined = node.find("unconfined") == null,
+            node.find("likeness")?.let(::readLikeness) ?: Likeness(),
         )
+    }
+
+    private fun readLikeness(node: JsonNode): Likeness {
+        node.allowOnly("solution", *Part.entries.map { it.id }.toTypedArray())
+        val keys = Part.entries.mapNotNull { part -> node.find(part.id)?.text()?.let { part to it } }.toMap()
+        if (!keys.values.all(Likeness::isKey)) node.fail("has a key that is none.")
+        val solution = node.get("solution").optionalText().split(' ')
+        return Likeness(keys, Part.entries.filterTo(linkedSetOf()) { it.id in solution })
     }
 
     private fun JsonNode.seconds() = number("a number") { it.toDoubleOrNull()?.takeIf(Double::isFinite) }

@@ -16,7 +16,12 @@ import kotlin.io.path.writeText
 internal class SubmissionReports(
     private val settings: CourseSettings,
 ) {
-    private val stamp = "$VERSION ${settings.language.code} ${settings.rubric.fingerprint}"
+    private fun stamp(submission: GradedSubmission) =
+        listOf(VERSION, settings.language.code, settings.rubric.fingerprint, *submission.twinParts.toTypedArray()).joinToString(" ")
+
+    /** [submissions], which are all there are, with what they share, and their pages with that. */
+    fun withTwins(submissions: List<GradedSubmission>, listener: CourseListener): List<GradedSubmission> =
+        Twins.marked(submissions).onEach { if (it.twins.isNotEmpty()) writeOrComplain(it, listener) }
 
     /** As [write]; a failure is told to [listener] and costs nothing else. */
     fun writeOrComplain(submission: GradedSubmission, listener: CourseListener) {
@@ -32,6 +37,7 @@ internal class SubmissionReports(
     private fun write(submission: GradedSubmission) {
         settings.gradescope?.let { GradescopeResults.write(submission, settings.language, it) }
         val file = submission.folder.resolve(STAMP)
+        val stamp = stamp(submission)
         val isCurrent = file.exists() && submission.folder.resolve(GradedSubmission.PAGE).exists() && file.readText() == stamp
         if (isCurrent) return
         file.deleteIfExists()
@@ -43,7 +49,7 @@ internal class SubmissionReports(
 
     companion object {
         /** Of the pages' form; with another they are made again. */
-        private const val VERSION = "1"
+        private const val VERSION = "2"
         private const val STAMP = ".report"
         const val RESULTS = "results.json"
     }

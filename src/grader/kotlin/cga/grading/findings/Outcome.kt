@@ -30,6 +30,7 @@ public class Refused(
  * @param compiler which compiler and language level its Kotlin went through.
  * @param seconds wall time of each stage, by the stage's name, in order.
  * @param isConfined false where it ran without a sandbox, so that it could have changed its own result.
+ * @param likeness what it is compared with others by.
  * @param peakBytes most memory that its whole process tree held at once.
  */
 public class RunFacts(
@@ -40,6 +41,7 @@ public class RunFacts(
     public val peakBytes: Long? = null,
     public val logs: List<LogExcerpt> = emptyList(),
     public val isConfined: Boolean = true,
+    public val likeness: Likeness = Likeness(),
 )
 
 /** A part of what a stage said; it may hold anything that the submission wrote. */

@@ -5,6 +5,7 @@ import cga.grading.findings.Check
 import cga.grading.findings.FailureReason
 import cga.grading.findings.Findings
 import cga.grading.findings.FindingsFile
+import cga.grading.findings.LikenessFile
 import cga.grading.prepared.Edition
 import cga.grading.sandbox.JavaCommand
 import cga.grading.sandbox.Job
@@ -24,7 +25,7 @@ internal class MeasureStep(
     /** The findings, their pictures put into [folder]; see [SecondTry] for a crash. Throws [Stopped]. */
     fun measure(edition: Edition, capture: Path, scratch: Path, folder: Path, run: Run): Findings {
         val (outcome, measured) = SecondTry.after(scratch) { attempt(edition, capture, it, run) }
-        return findings(outcome, measured, folder)
+        return findings(outcome, measured, folder, run)
     }
 
     private fun attempt(edition: Edition, capture: Path, scratch: Path, run: Run): Outcome {
@@ -35,10 +36,11 @@ internal class MeasureStep(
         return sandbox.run(Job(command, scratch, readOnly, environment, limits = limits)).also { run.note("measuring", it) }
     }
 
-    private fun findings(outcome: Outcome, scratch: Path, folder: Path): Findings {
+    private fun findings(outcome: Outcome, scratch: Path, folder: Path, run: Run): Findings {
         // Nothing of the submission's but its shaders runs there: they are what took too long or brought the driver down.
         checkEnd("Drawing with its shaders", outcome, CODES, FailureReason.INTERNAL)
         return try {
+            run.compare(LikenessFile.read(scratch))
             FindingsFile.read(scratch).also(::checkComplete).also { copyPictures(it, scratch, folder) }
         } catch (e: InputError) {
             throw Stopped(FailureReason.CAPTURE_UNREADABLE, e.message.orEmpty())

@@ -9,7 +9,9 @@ import cga.grading.course.CheckListener
 import cga.grading.course.GradeOne
 import cga.grading.findings.FailureReason
 import cga.grading.findings.Graded
+import cga.grading.findings.Likeness
 import cga.grading.findings.Outcome
+import cga.grading.findings.Part
 import cga.grading.prepared.Edition
 import cga.grading.prepared.PreparedSource
 import cga.grading.prepared.PreparedTree
@@ -25,6 +27,7 @@ import kotlin.io.path.createDirectories
  * @param edition the sheet's, null where each submission's is detected.
  * @param home where the compilers and the worker are kept between runs.
  * @param limits of each step.
+ * @param comparesSolutions whether it is noted what of a submission is the same as in our own solutions.
  * @param sharesCompiler whether submissions that compile are compiled in one process after another, rather than each in its own.
  */
 public class Pipeline(
@@ -33,6 +36,7 @@ public class Pipeline(
     home: Path,
     private val limits: PipelineLimits = PipelineLimits(),
     sharesCompiler: Boolean = false,
+    comparesSolutions: Boolean = false,
 ) : GradeOne {
     private val programs = Programs(home)
     private val compiler =
@@ -41,12 +45,13 @@ public class Pipeline(
     private val prepare = PrepareStep(sandbox, programs, limits.prepare, edition)
     private val capture = CaptureStep(sandbox, programs, limits.run)
     private val measure = MeasureStep(sandbox, programs, limits.measure)
+    private val solutions = if (comparesSolutions) Solutions(programs.home, programs.state, ::likeness) else null
 
     override fun grade(submission: Path, folder: Path, listener: CheckListener): Outcome {
         val work = folder.toRealPath().resolve("work").createDirectories()
         val run = Run(sandbox.isConfined)
         return try {
-            grade(submission, folder, work, run).also { if (it is Graded) it.findings.checks.forEach(listener::measured) }
+            grade(submission, folder, work, run, solutions).also { if (it is Graded) it.findings.checks.forEach(listener::measured) }
         } catch (e: Stopped) {
             // Nobody is blamed for what a full disk may have done.
             val full = DiskSpace.lack(work, limits.run.diskBytes).takeIf { e.reason.isItsOwn }
@@ -58,12 +63,17 @@ public class Pipeline(
 
     override fun close(): Unit = compiler.close()
 
-    private fun grade(given: Path, folder: Path, work: Path, run: Run): Outcome {
+    private fun likeness(project: Path, work: Path): Likeness =
+        Run(sandbox.isConfined).also { grade(project, work, work, it, solutions = null) }.likeness()
+
+    private fun grade(given: Path, folder: Path, work: Path, run: Run, solutions: Solutions?): Outcome {
         fun folder(name: String) = work.resolve(name).createDirectories()
         val tree = run.timed("unpack") { prepare.prepare(given, folder("prepare")) }
         val manifest = tree.manifest
         run.kind = manifest.kind.name.lowercase()
         run.edition = manifest.edition.title
+        manifest.sourcesKey?.let { run.compare(mapOf(Part.KOTLIN to it)) }
+        solutions?.let { run.solution = it.of(manifest.kind) }
         val main = manifest.mainClass ?: throw Stopped(FailureReason.NOT_RECOGNIZED, "There is no main function to start.")
         val compiled = run.timed("compile") { compile(tree, folder("compile"), run) }
         val capture = run.timed("run") { capture.capture(tree, main, compiled, folder("run"), run) }

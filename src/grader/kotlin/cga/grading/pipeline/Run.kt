@@ -3,8 +3,10 @@ package cga.grading.pipeline
 import cga.grading.findings.FailureReason
 import cga.grading.findings.Findings
 import cga.grading.findings.Graded
+import cga.grading.findings.Likeness
 import cga.grading.findings.LogExcerpt
 import cga.grading.findings.Message
+import cga.grading.findings.Part
 import cga.grading.findings.Refused
 import cga.grading.findings.RunFacts
 import cga.grading.sandbox.Outcome
@@ -13,6 +15,10 @@ import cga.grading.sandbox.Outcome
 internal class Run(
     private val isConfined: Boolean = true,
 ) {
+    /** What there is to compare it with. */
+    var solution: Likeness = Likeness()
+    private val keys = LinkedHashMap<Part, String>()
+
     var kind: String? = null
     var edition: String? = null
     var compiler: String? = null
@@ -29,6 +35,13 @@ internal class Run(
             seconds[name] = (System.nanoTime() - start) / 1e9
         }
     }
+
+    /** Notes the keys of its parts. */
+    fun compare(keys: Map<Part, String>) {
+        this.keys += keys
+    }
+
+    fun likeness(): Likeness = Likeness(keys.toMap()).let { Likeness(it.keys, it.shared(solution)) }
 
     /** Notes what [outcome] of the job [title] took and said. */
     fun note(title: String, outcome: Outcome) {
@@ -54,7 +67,8 @@ internal class Run(
 
     fun refused(reason: FailureReason, detail: String): Refused = Refused(reason, detail, facts())
 
-    private fun facts() = RunFacts(kind, edition, compiler, seconds.toMap(), peakBytes.takeIf { it > 0 }, logs.toList(), isConfined)
+    private fun facts() =
+        RunFacts(kind, edition, compiler, seconds.toMap(), peakBytes.takeIf { it > 0 }, logs.toList(), isConfined, likeness())
 
     private companion object {
         const val MOST_LOG = 20_000

@@ -12,8 +12,11 @@ internal enum class Kind(
     STARTER("src/scene/kotlin"),
 
     /** A project of the course itself. */
-    COURSE("tests/submissions/course/src/main/kotlin"),
+    COURSE("$COURSE_PROJECT/src/main/kotlin"),
 }
+
+/** A correct project of the course, below the program's home. */
+internal const val COURSE_PROJECT: String = "tests/submissions/course"
 
 /**
  * What the job that reads a submission says of it: the manifest of the plain tree that it leaves. All paths are ours; what a student chose is
@@ -23,6 +26,7 @@ internal enum class Kind(
  * @param kotlin the version that its build files name, null where they name none.
  * @param libraries that its build files name, whether it needs them or not.
  * @param notes what was noticed and may matter, in full sentences.
+ * @param sourcesKey of the sources without names and layout, null where all are the framework's; see [cga.grading.findings.Likeness].
  */
 internal class Prepared(
     val kind: Kind,
@@ -32,6 +36,7 @@ internal class Prepared(
     val libraries: List<NamedLibrary>,
     val sources: List<PreparedSource>,
     val notes: List<String>,
+    val sourcesKey: String? = null,
 )
 
 /**

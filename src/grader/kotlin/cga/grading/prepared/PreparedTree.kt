@@ -3,6 +3,7 @@ package cga.grading.prepared
 import cga.framework.InputError
 import cga.grading.capture.BadCapture
 import cga.grading.capture.LimitedInput
+import cga.grading.findings.Likeness
 import cga.grading.sandbox.SafeFiles
 import java.io.ByteArrayOutputStream
 import java.io.DataOutputStream
@@ -79,6 +80,7 @@ internal class PreparedTree private constructor(
                     writeBoolean(source.hasReference)
                 }
                 list(prepared.notes.take(MOST_NOTES), ::text)
+                optional(prepared.sourcesKey)
             }
             folder.resolve(MANIFEST).writeBytes(bytes.toByteArray())
         }
@@ -117,6 +119,7 @@ internal class PreparedTree private constructor(
                 },
                 sources(input, ::text),
                 input.list("notes", MOST_NOTES) { text("note") { true } },
+                optional("key of the sources", Likeness::isKey),
             )
         }
 

@@ -2,7 +2,7 @@ package cga.grading.report
 
 import cga.framework.AtomicFile
 import cga.framework.InputError
-import cga.grading.prepared.Kind
+import cga.grading.prepared.COURSE_PROJECT
 import cga.grading.starter.StarterFiles
 import java.net.URI
 import java.nio.file.FileSystem
@@ -46,7 +46,7 @@ public object AutograderZip {
     private val PROGRAM =
         listOf("cga", "pom.xml", "build.gradle.kts", "settings.gradle.kts", "gradle.properties", "gradle", "src", "shaders", "assets") +
             listOf(
-                Kind.COURSE.reference,
+                COURSE_PROJECT,
                 "build/cga/lib",
                 "build/cga/libraries",
                 "build/cga/grader.stamp",

@@ -46,6 +46,8 @@ public object ContactSheet {
         }
         val open = submissions.count { (it.grade?.open ?: 0.0) > 0 }
         if (open > 0) p("lead warn") { +("? " + messages.text("course.open", open)) }
+        val alike = submissions.count { it.twins.isNotEmpty() || it.solutionParts.isNotEmpty() }
+        if (alike > 0) p("lead warn") { +("≈ " + messages.text("course.twins", alike)) }
         val unconfined = submissions.count { !it.outcome.facts.isConfined }
         if (unconfined > 0) p("lead warn") { +("! " + messages.text("course.no-sandbox", unconfined)) }
         if (missing.isNotEmpty()) p("lead fail") { +"${messages.text("course.missing")}: ${missing.joinToString { cleanLine(it) }}" }
@@ -100,9 +102,22 @@ public object ContactSheet {
                 cell("number of-task", points?.toString()) { +(points?.let { messages.number(it) } ?: "–") }
             }
             val why = why(submission, messages)
-            cell("why", why.ifEmpty { null }) { +why }
+            cell("why", why.ifEmpty { null }) {
+                +why
+                alike(submission, messages).forEach { p("warn") { +"≈ $it" } }
+            }
             cell("number of-task", "${submission.seconds}") { +"${messages.number(submission.seconds)} s" }
         }
+    }
+
+    /** What of it is the same elsewhere, and where. */
+    private fun alike(submission: GradedSubmission, messages: Messages): List<String> {
+        val others = submission.twinGroups.map { (parts, names) ->
+            val more = if (names.size > MOST_TWINS) " … (${names.size})" else ""
+            messages.text("course.same", messages.list(parts), names.take(MOST_TWINS).joinToString(transform = ::cleanLine) + more)
+        }
+        val solution = submission.solutionParts
+        return others + if (solution.isEmpty()) emptyList() else listOf(messages.text("course.like-solution", messages.list(solution)))
     }
 
     private fun TBODY.missing(name: String, messages: Messages) {
@@ -153,4 +168,5 @@ public object ContactSheet {
     }
 
     private const val MOST_FREQUENT = 12
+    private const val MOST_TWINS = 5
 }

@@ -21,7 +21,7 @@ public object GradesCsv {
     private val TASKS = Check.entries.map { it.task }.distinct()
     private val HEADER =
         listOf("submission", "outcome", "points", "open", "maximum") + TASKS +
-            listOf("mistakes", "reason", "kind", "edition", "compiler", "sandbox", "seconds", "peak_mib", "page")
+            listOf("mistakes", "reason", "same_as", "kind", "edition", "compiler", "sandbox", "seconds", "peak_mib", "page")
 
     private fun row(submission: GradedSubmission): List<String> {
         val grade = submission.grade
@@ -37,6 +37,7 @@ public object GradesCsv {
             listOf(
                 mistakes.map { it.mistake.id }.distinct().joinToString(" "),
                 submission.refusal?.let { "${it.reason.id}: ${it.detail}" }.orEmpty(),
+                sameAs(submission),
                 facts.kind.orEmpty(),
                 facts.edition.orEmpty(),
                 facts.compiler.orEmpty(),
@@ -45,6 +46,14 @@ public object GradesCsv {
                 facts.peakBytes?.let { "${it shr 20}" }.orEmpty(),
                 "${submission.folder.fileName}/${GradedSubmission.PAGE}",
             )
+    }
+
+    /** Parts and where they are the same: `kotlin shaders: anna, bo; shaders: the solution`. */
+    private fun sameAs(submission: GradedSubmission): String {
+        val solution = listOf(submission.solutionParts to listOf(SOLUTION)).filter { it.first.isNotEmpty() }
+        return (submission.twinGroups.toList() + solution).joinToString("; ") { (parts, names) ->
+            parts.joinToString(" ") { it.id } + ": " + names.joinToString()
+        }
     }
 
     private fun number(value: Double) = "%.1f".format(Locale.ROOT, value).removeSuffix(".0")
@@ -58,4 +67,5 @@ public object GradesCsv {
     }
 
     private const val CELL = 1000
+    private const val SOLUTION = "the solution"
 }

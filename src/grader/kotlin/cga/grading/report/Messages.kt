@@ -4,6 +4,7 @@ import cga.grading.findings.Check
 import cga.grading.findings.FailureReason
 import cga.grading.findings.Message
 import cga.grading.findings.Mistake
+import cga.grading.findings.Part
 import cga.grading.rubric.CheckState
 import java.math.BigDecimal
 import java.math.MathContext
@@ -94,6 +95,9 @@ internal class Messages private constructor(
     fun of(reason: FailureReason): Words = words("failure.${reason.id}")
 
     fun of(state: CheckState): String = text("state.${state.id}")
+
+    /** [parts] as they are spoken of. */
+    fun list(parts: Set<Part>): String = parts.joinToString { text("part.${it.id}") }
 
     /** [value] with at most [digits] after the point, which is a comma in German. */
     fun number(value: Double, digits: Int = 1): String {

@@ -67,6 +67,13 @@ public object SubmissionPage {
                 }
             }
         }
+        // Who the others are stands on the contact sheet: this page is for a student.
+        if (submission.twinParts.isNotEmpty()) {
+            p("open warn") { +("≈ " + messages.text("page.twins", messages.list(submission.twinParts))) }
+        }
+        if (submission.solutionParts.isNotEmpty()) {
+            p("open warn") { +("≈ " + messages.text("page.like-solution", messages.list(submission.solutionParts))) }
+        }
         if (!submission.outcome.facts.isConfined) p("open warn") { +("! " + messages.text("page.no-sandbox")) }
         val open = submission.grade?.open ?: 0.0
         if (open > 0) p("open warn") { +("? " + messages.text("page.open", messages.number(open))) }

@@ -4,6 +4,7 @@ import cga.framework.Home
 import cga.framework.InputError
 import cga.grading.findings.Check
 import cga.grading.findings.Mistake
+import cga.grading.sandbox.Temporary
 import cga.imaging.JsonNode
 import java.nio.file.Files
 import java.nio.file.Path
@@ -45,7 +46,7 @@ public class Rubric private constructor(
         /** Our own: 100 points over the tasks 4.2 to 4.7. */
         public fun default(): Rubric {
             val bytes = defaultBytes()
-            val file = Files.createTempFile("rubric", ".json")
+            val file = Temporary.file("rubric")
             try {
                 file.writeBytes(bytes)
                 return read(file)

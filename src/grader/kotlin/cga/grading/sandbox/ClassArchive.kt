@@ -1,20 +1,19 @@
 package cga.grading.sandbox
 
+import cga.framework.AtomicFile
+import cga.framework.InputError
 import java.io.File
 import java.io.IOException
 import java.nio.file.Path
 import java.util.concurrent.TimeUnit.SECONDS
 import java.util.jar.JarFile
-import kotlin.io.path.ExperimentalPathApi
-import kotlin.io.path.createTempDirectory
+import kotlin.io.path.copyTo
 import kotlin.io.path.deleteIfExists
-import kotlin.io.path.deleteRecursively
 import kotlin.io.path.exists
 import kotlin.io.path.fileSize
 import kotlin.io.path.getLastModifiedTime
 import kotlin.io.path.isRegularFile
 import kotlin.io.path.listDirectoryEntries
-import kotlin.io.path.moveTo
 import kotlin.io.path.readLines
 import kotlin.io.path.writeLines
 
@@ -56,9 +55,7 @@ internal class ClassArchive private constructor(
             prefixes: List<String>,
             rehearsals: List<(Path) -> List<String>>,
         ): ClassArchive {
-            // The JVM archives no folders; they change under a developer's hands besides.
-            if (classPath.any { !it.isRegularFile() }) return NONE
-            val jars = classPath.map { "$it ${it.fileSize()} ${it.getLastModifiedTime()}" }
+            val jars = state(classPath) ?: return NONE
             val state = jars + options + prefixes + System.getProperty("java.vm.version")
             val file = folder.resolve("$name-${Integer.toHexString(state.hashCode())}.jsa")
             val path = listOf("-cp", classPath.joinToString(File.pathSeparator))
@@ -66,7 +63,10 @@ internal class ClassArchive private constructor(
             return ClassArchive(file.takeIf { it.exists() })
         }
 
-        @OptIn(ExperimentalPathApi::class)
+        /** What tells the jars of [classPath] from others. Null where one is a folder: the JVM archives none, and they change while one works. */
+        fun state(classPath: List<Path>): List<String>? =
+            classPath.takeIf { it.all { jar -> jar.isRegularFile() } }?.map { "$it ${it.fileSize()} ${it.getLastModifiedTime()}" }
+
         private fun make(
             file: Path,
             name: String,
@@ -75,7 +75,7 @@ internal class ClassArchive private constructor(
             more: List<String>,
             rehearsals: List<(Path) -> List<String>>,
         ) {
-            val folder = createTempDirectory(file.parent, "archive")
+            val folder = Temporary.folder("archive")
             try {
                 val list = folder.resolve("classes")
                 val made = folder.resolve("made.jsa")
@@ -92,11 +92,13 @@ internal class ClassArchive private constructor(
                 if (!made.exists()) return
                 file.parent.listDirectoryEntries("$name-*.jsa").forEach { it.deleteIfExists() }
                 // Others may be making it too: whoever is last replaces it with the same.
-                made.moveTo(file, overwrite = true)
+                AtomicFile.write(file) { made.copyTo(it, overwrite = true) }
             } catch (_: IOException) {
                 // Every start is a little slower.
+            } catch (_: InputError) {
+                // Likewise.
             } finally {
-                folder.deleteRecursively()
+                Scratch.delete(folder)
             }
         }
 

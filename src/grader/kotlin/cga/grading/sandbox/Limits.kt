@@ -3,7 +3,8 @@ package cga.grading.sandbox
 /**
  * How much a job may use before its whole tree of processes is killed.
  *
- * @param wallSeconds from the start to the end, likewise [cpuSeconds] of all processes together.
+ * @param wallSeconds from the start to the end, without what it waits for processors that others have; at most eight times as much.
+ * @param cpuSeconds of all processes together.
  * @param memoryBytes resident memory of all processes together.
  * @param tasks processes and threads together.
  * @param diskBytes in the scratch folder, deleted but still open files included; [diskEntries] files and folders in it.

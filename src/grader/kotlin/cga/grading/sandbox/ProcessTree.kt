@@ -56,6 +56,19 @@ internal class ProcessTree(
         return files.values.sum()
     }
 
+    /** For how many seconds tasks of the tree were ready to run while others had the processors, all tasks together. */
+    @Synchronized
+    fun waitedSeconds(): Double =
+        members.keys.flatMap { File("/proc/$it/task").listFiles().orEmpty().asList() }.sumOf(::waitedNanoseconds) / 1e9
+
+    private fun waitedNanoseconds(task: File): Long =
+        try {
+            task.resolve("schedstat").readText().split(' ').getOrNull(1)?.toLongOrNull() ?: 0
+        } catch (_: IOException) {
+            // It ended meanwhile, or the kernel does not count.
+            0
+        }
+
     private fun deleted(file: Path): Pair<Any, Long>? =
         try {
             val attributes = Files.readAttributes(file, "unix:nlink,size,dev,ino,mode")
@@ -103,7 +116,8 @@ internal class ProcessTree(
         }
 
     private companion object {
-        const val KILL_ROUNDS = 200
+        // Half a minute: on a machine with too much to do it takes seconds to die.
+        const val KILL_ROUNDS = 3000
         const val KILL_PAUSE = 10L
         const val FILE_KIND = 0xf000
         const val REGULAR_FILE = 0x8000

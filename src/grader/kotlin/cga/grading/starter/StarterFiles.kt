@@ -61,8 +61,13 @@ public object StarterFiles {
         }
 
     /** Every file of the starter, by its path. */
-    public fun all(): Map<String, ByteArray> {
-        val sources = templates().mapValues { (_, template) -> template.starter.encodeToByteArray() }
+    public fun all(): Map<String, ByteArray> = all { it.starter }
+
+    /** The same with nothing cut out: the starter as somebody fills it in who does everything right. */
+    internal fun solution(): Map<String, ByteArray> = all { it.solution }
+
+    private fun all(text: (Template) -> String): Map<String, ByteArray> {
+        val sources = templates().mapValues { (_, template) -> text(template).encodeToByteArray() }
         val copies = (COPIES + below("assets", MODEL_TYPES)).associateWith { Home.read(it, "project") }
         val written = mapOf(CATALOGUE to catalogue(), MARKER to "$VERSION_LINE\n").mapValues { it.value.encodeToByteArray() }
         return sources + copies + OWN.mapValues { own(it.value) } + written

@@ -15,11 +15,12 @@ import cga.framework.InputError
  *
  * A lone `// solution` leaves nothing. Regions do not lie within each other.
  *
+ * @param solution the file as it is, markers and all.
  * @param name of the file, for errors. Throws [InputError] naming it and the line of a marker that does not fit.
  */
 public class Template(
     private val name: String,
-    solution: String,
+    public val solution: String,
 ) {
     private val kept = ArrayList<String>()
     private val cut = ArrayList<Region>()

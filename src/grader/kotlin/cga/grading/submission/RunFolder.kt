@@ -115,12 +115,10 @@ internal class RunFolder(
             for (start in listOf(first, from)) Files.walkFileTree(start, setOf(FileVisitOption.FOLLOW_LINKS), DEEPEST, this)
         }
 
+        // Folders without files are not made: they would take the room of files.
         override fun preVisitDirectory(path: Path, attributes: BasicFileAttributes): FileVisitResult {
-            val target = place(path)
-            val isDone = path == first && target.exists()
-            if (isDone || path.name in FileTree.TOOLS || !isInside(path) || ++entries > MOST_ENTRIES) return FileVisitResult.SKIP_SUBTREE
-            target.createDirectories()
-            return FileVisitResult.CONTINUE
+            val isDone = path == first && place(path).exists()
+            return if (isDone || path.name in FileTree.TOOLS || !isInside(path)) FileVisitResult.SKIP_SUBTREE else FileVisitResult.CONTINUE
         }
 
         override fun visitFile(path: Path, attributes: BasicFileAttributes): FileVisitResult {
@@ -136,7 +134,7 @@ internal class RunFolder(
             }
             bytes += attributes.size()
             try {
-                Files.copy(path, target)
+                Files.copy(path, target.createParentDirectories())
             } catch (e: IOException) {
                 Unreadable.require(e)
                 Room.require(folder, e)

@@ -1,5 +1,6 @@
 package cga.grading.submission
 
+import cga.grading.likeness.CodeShape
 import cga.grading.prepared.PreparedSource
 import java.nio.file.Path
 import kotlin.io.path.name
@@ -22,6 +23,9 @@ internal class SourceFile(
 
     /** What its string literals say, as it is written there. */
     val literals: Collection<String> get() = parts.literals.values
+
+    /** What is left of it without names and layout. */
+    val shape: String get() = CodeShape.of(parts.code, optional = ";,", without = setOf("package", "import"))
 
     /** Empty for the default package, and where what stands there is none. */
     val packageName: String =

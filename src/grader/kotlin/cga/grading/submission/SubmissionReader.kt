@@ -36,7 +36,8 @@ internal object SubmissionReader {
     }
 
     private fun unpack(file: Path, folder: Path, notes: MutableList<String>): Path {
-        val archive = Archive.of(file) ?: throw NotASubmission("$file is neither a folder nor a zip, tar or tar.gz archive.")
+        val archive =
+            Archive.of(file) ?: throw NotASubmission("$file is neither a folder nor an archive: pack the project as zip, tar or tar.gz.")
         notes += archive.unpack(file, folder)
         // Learning platforms pack what was packed already.
         val inner = FileTree(folder).files.filterNot { it.name.startsWith(".") }.singleOrNull()

@@ -61,7 +61,9 @@ internal class TarReader(
     private fun number(header: ByteArray, from: Int, length: Int): Long {
         if (header[from] < 0) throw IOException("an entry of more than 8 GiB")
         val digits = text(header, from, length).trim()
-        return (if (digits.isEmpty()) 0 else digits.toLongOrNull(8)) ?: throw IOException("a broken header")
+        // A sign is no digit: what has less than no content is broken.
+        if (digits.any { it !in '0'..'7' }) throw IOException("a broken header")
+        return if (digits.isEmpty()) 0 else digits.toLong(8)
     }
 
     private fun checkSum(header: ByteArray) {

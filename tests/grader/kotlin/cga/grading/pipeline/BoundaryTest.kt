@@ -25,21 +25,15 @@ import org.junit.jupiter.api.BeforeAll
 import org.junit.jupiter.api.Test
 import org.junit.jupiter.api.TestInstance
 import java.io.RandomAccessFile
-import java.nio.file.Files
-import java.nio.file.LinkOption.NOFOLLOW_LINKS
 import java.nio.file.Path
 import java.util.zip.GZIPOutputStream
-import kotlin.io.path.PathWalkOption
 import kotlin.io.path.createDirectories
 import kotlin.io.path.createParentDirectories
 import kotlin.io.path.createSymbolicLinkPointingTo
 import kotlin.io.path.createTempDirectory
 import kotlin.io.path.deleteExisting
-import kotlin.io.path.isRegularFile
 import kotlin.io.path.outputStream
-import kotlin.io.path.readBytes
 import kotlin.io.path.readText
-import kotlin.io.path.walk
 import kotlin.io.path.writeText
 
 /**
@@ -53,13 +47,13 @@ class BoundaryTest {
     private val folder = createTempDirectory("boundary").toRealPath()
     private val inputs = folder.resolve("in").createDirectories()
     private val decoy = folder.resolve("decoy").createDirectories().apply { resolve("file").writeText("here") }
-    private lateinit var before: Map<String, List<Byte>>
+    private lateinit var untouched: Untouched
     private lateinit var graded: Map<String, GradedSubmission>
 
     @BeforeAll
     fun gradeAll() {
         val submissions = submissions()
-        before = bytes()
+        untouched = Untouched(decoy, inputs.resolve("good"))
         graded = grade(submissions, folder.resolve("out"))
     }
 
@@ -81,13 +75,6 @@ class BoundaryTest {
     fun close() {
         folder.toFile().deleteRecursively()
     }
-
-    /** What no submission may change: names, kinds and contents. */
-    private fun bytes(): Map<String, List<Byte>> =
-        listOf(decoy, inputs.resolve("good")).flatMap { it.walk(PathWalkOption.INCLUDE_DIRECTORIES) }.associate { path ->
-            "$path ${Files.getLastModifiedTime(path, NOFOLLOW_LINKS)}" to
-                if (path.isRegularFile()) path.readBytes().toList() else emptyList()
-        }
 
     private fun submissions(): List<Path> {
         val project = Corpus.sources(Corpus.byName("plain"))
@@ -152,8 +139,7 @@ class BoundaryTest {
 
     @Test
     fun `nothing changes but the results`() {
-        assertEquals(before.keys, bytes().keys)
-        assertEquals(before, bytes())
+        untouched.check()
         assertEquals(100.0, points("good")) { told("good") }
     }
 

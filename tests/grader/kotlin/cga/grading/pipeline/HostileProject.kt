@@ -87,6 +87,7 @@ internal object HostileProject {
                     "fake capture" -> fake("capture.bin")
                     "fake findings" -> fake("findings.json")
                     "link as capture" -> link()
+                    "borrowed capture" -> borrow()
                     "say" -> arguments.forEach(::println)
                 }
             }
@@ -119,6 +120,11 @@ internal object HostileProject {
 
             private fun link() {
                 java.nio.file.Files.createSymbolicLink(File(home, "capture.bin").toPath(), java.nio.file.Path.of(arguments[0]))
+                Runtime.getRuntime().halt(0)
+            }
+
+            private fun borrow() {
+                File("assets/capture.bin").copyTo(File(home, "capture.bin"), overwrite = true)
                 Runtime.getRuntime().halt(0)
             }
 

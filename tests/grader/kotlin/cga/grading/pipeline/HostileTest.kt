@@ -1,5 +1,7 @@
 package cga.grading.pipeline
 
+import cga.grading.corpus.Corpus
+import cga.grading.corpus.CorpusCaptures
 import cga.grading.course.CourseListener
 import cga.grading.course.CourseRun
 import cga.grading.course.CourseSettings
@@ -9,6 +11,7 @@ import cga.grading.findings.Check
 import cga.grading.findings.FailureReason
 import cga.grading.findings.Graded
 import cga.grading.findings.Mistake
+import cga.grading.findings.Part
 import cga.grading.report.GradedSubmission
 import cga.grading.report.Language
 import cga.grading.rubric.CheckState
@@ -35,6 +38,7 @@ import java.nio.file.attribute.PosixFilePermissions
 import java.util.zip.ZipEntry
 import java.util.zip.ZipOutputStream
 import kotlin.io.path.PathWalkOption
+import kotlin.io.path.copyTo
 import kotlin.io.path.createDirectories
 import kotlin.io.path.createSymbolicLinkPointingTo
 import kotlin.io.path.createTempDirectory
@@ -60,12 +64,14 @@ class HostileTest {
     private val secret = folder.resolve("rubric.json").apply { writeText(SECRET) }
     private val precious = folder.resolve("precious").createDirectories().resolve("file").apply { writeText("here") }
     private val listener = ServerSocket(0, 1, InetAddress.getLoopbackAddress())
+    private lateinit var untouched: Untouched
     private lateinit var graded: Map<String, GradedSubmission>
 
     @BeforeAll
     fun gradeAll() {
         val submissions = submissions()
         inputs.resolve("read/assets/link").createSymbolicLinkPointingTo(secret)
+        untouched = Untouched(precious.parent, inputs.resolve("good"), secret)
         // An honest run takes a fifth of the processor's time.
         val limits = PipelineLimits(run = Limits(wallSeconds = 60.0, cpuSeconds = 10.0))
         val settings = CourseSettings(Rubric.default(), Language.ENGLISH, jobs = 2)
@@ -123,6 +129,7 @@ class HostileTest {
             project("fake capture", "fake capture", "CGACAPTURE", "100 points"),
             project("fake findings", "fake findings", """{"version":1,"checks":[]}"""),
             project("link as capture", "link as capture", "$secret"),
+            project("borrowed capture", "borrowed capture").also(::lend),
             project(MARKUP, "throw", "<img src=x onerror=alert(2)>"),
             project("texture", "texture"),
             shader("shader loop", "uniform float never;", "float z = 1.0; while (z > never * 0.0 - 1.0) z = mod(z + 1.0, 5.0);"),
@@ -131,6 +138,13 @@ class HostileTest {
             archive(),
             project("private", "nothing").also(::hide),
         )
+    }
+
+    /** Gives [project] the capture of a correct submission, which it has the worker's file be; its own shaders draw nothing. */
+    private fun lend(project: Path) {
+        val capture = CorpusCaptures().use { it.of(Corpus.byName("plain")) }
+        capture.copyTo(project.resolve("assets/capture.bin"))
+        project.resolve("assets/shaders/tron_frag.glsl").writeText("#version 330 core\nvoid main() { }\n")
     }
 
     /** As a mail program or a learning platform saves it. */
@@ -223,8 +237,8 @@ class HostileTest {
 
     @Test
     fun `what is deleted is only its own`() {
-        assertEquals("here", precious.readText())
-        assertTrue(inputs.resolve("good/assets/behaviour.txt").exists() && inputs.resolve("delete/assets/behaviour.txt").exists())
+        untouched.check()
+        assertTrue(inputs.resolve("delete/assets/behaviour.txt").exists())
         assertTrue(Path.of(System.getProperty("user.home")).exists())
         assertEquals(100.0, graded.getValue("delete").points) { detail("delete") }
     }
@@ -252,6 +266,16 @@ class HostileTest {
         assertEquals(FailureReason.EXITED, reason("fake findings"))
         assertEquals(FailureReason.EXITED, reason("link as capture"))
         assertFalse(SECRET in everything("link as capture"))
+    }
+
+    @Test
+    fun `somebody else's capture is marked in both, and so is the same Kotlin`() {
+        val twins = graded.getValue("borrowed capture").twins
+        assertEquals(100.0, graded.getValue("borrowed capture").points) { detail("borrowed capture") }
+        assertEquals(Part.entries.toSet(), twins["good"])
+        assertEquals(Part.entries.toSet(), graded.getValue("good").twins["borrowed capture"])
+        assertTrue("The same in another submission, but for names and layout: Kotlin, shaders, drawn frames." in page("borrowed capture"))
+        assertEquals(setOf(Part.KOTLIN), graded.getValue("throw").twins["good"])
     }
 
     @Test
@@ -305,7 +329,6 @@ class HostileTest {
     @Test
     fun `an archive cannot write beside its own folder`() {
         assertEquals(100.0, graded.getValue("archive").points) { detail("archive") }
-        assertEquals("here", precious.readText())
         assertTrue("was not unpacked" in page("archive"))
     }
 

@@ -139,6 +139,10 @@ class ArchiveTest {
         assertTrue("not a sound archive" in refusal(whole.copyOf(whole.size / 2)))
         val tar = tar { it.entry("a", '0', ByteArray(1000)) }
         assertTrue("not a sound archive" in refusal(tar.copyOf(1000)))
+        val negative = tar.clone().also { "-0000000001".toByteArray().copyInto(it, 124) }
+        val sum = negative.take(512).withIndex().sumOf { (i, byte) -> if (i in 148 until 156) ' '.code else byte.toInt() and 0xff }
+        "%06o".format(sum).toByteArray().copyInto(negative, 148)
+        assertTrue("not a sound archive" in refusal(negative))
         assertTrue("not a sound archive" in refusal(tar.clone().also { it[0] = 'b'.code.toByte() }))
         assertTrue("7-Zip" in refusal(byteArrayOf('7'.code.toByte(), 'z'.code.toByte(), 0xbc.toByte(), 0xaf.toByte(), 0x27, 0x1c)))
         assertTrue("RAR" in refusal("Rar!\u001a\u0007".toByteArray()))

@@ -20,7 +20,7 @@ HALF = 22.4
 QUADS = 16  # a side: the vectors to the lights are interpolated over quads of 2.8, not over the whole plane
 SIZE = 256  # texels a side of each texture
 
-LINE, EDGE, HALO = 0.018, 0.012, 0.06  # of a cell: half the line, its soft edge, the reach of its glow
+LINE, EDGE, HALO = 0.009, 0.008, 0.05  # of a cell: half the line, its soft edge, the reach of its glow
 
 
 def main():

@@ -3,7 +3,8 @@
 set -eu
 cd "$(dirname "$0")"
 cga=../../cga
-"$cga" render --samples 4 --t 5.2 --mouse 500 --out motorcycle.png
+for view in rear front side; do "$cga" render --samples 4 --camera "$view" --out "motorcycle-$view.png"; done
+"$cga" render --samples 4 --size 400x225 --frames 36 --fps 12 --mouse 900 --drive "W 1, WA 0.6, W 1.4" --out drive.apng
 
 strip=$(mktemp -d)
 trap 'rm -rf "$strip"' EXIT
@@ -24,7 +25,7 @@ home=$strip/home
 mkdir -p "$home/tests"
 cp -R ../../shaders ../../assets "$home"
 cp -R ../../tests/golden "$home/tests"
-sed -i 's/material.shininess)/0.5 * material.shininess)/' "$home/shaders/scene.frag"
+sed -i 's/material.shininess)/0.5 * material.shininess)/' "$home/shaders/lighting.glsl"
 java -Dcga.home="$home" -cp '../../build/cga/lib/*' cga.cli.MainKt golden --only step-4.6 --report "$strip/report.html" || [ $? = 1 ]
 chromium --headless --no-sandbox --hide-scrollbars --window-size=1240,1275 --screenshot="$strip/report.png" "file://$strip/report.html"
 convert "$strip/report.png" -strip -crop 1240x1005+0+250 +repage -resize 1000x report.png

@@ -70,7 +70,7 @@ pair cone-inside-out --step 4.3
 
 # 4.3.3: the direction in world space. The headlight shines where the camera looks, wherever the motorcycle has turned.
 fresh
-change scene.frag 's/light\[i\].direction, /vec3(0.0, -0.0698, -0.9976), /'
+change scene.frag 's/light\[i\].direction, /vec3(0.0, -0.2419, -0.9703), /'
 pair direction-in-world-space --step 4.5 --mouse 785
 
 # 4.3.3: a narrow cone, 0.02 degrees, seen from its light: versines, and cosines, which round to steps.

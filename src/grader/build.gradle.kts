@@ -5,7 +5,8 @@ plugins {
 }
 
 dependencies {
-    api(project(":cli"))
+    api(project(":window"))
+    implementation(project(":reader"))
     implementation(libs.kotlinx.serialization.json)
     implementation(libs.kotlinx.html)
 

@@ -80,14 +80,14 @@ private:
     void addSpotLight()
     {
         Light light;
-        light.position = glm::dvec3(view * motorcycle() * glm::dvec4(0, 0.9, -1.6, 1));
-        light.color = {5, 5, 4.5};
+        light.position = glm::dvec3(view * motorcycle() * glm::dvec4(0, 0.64, -1.8, 1));
+        light.color = {1.3, 1.3, 1.17};
         if (from(attenuation)) light.k = {0.5, 0.05, 0.01};
         light.hasCone = true;
-        const glm::dmat4 tilt = glm::rotate(glm::dmat4(1), degrees(-4), glm::dvec3(1, 0, 0));
+        const glm::dmat4 tilt = glm::rotate(glm::dmat4(1), degrees(-14), glm::dvec3(1, 0, 0));
         light.direction = glm::normalize(glm::dvec3(view * motorcycle() * tilt * glm::dvec4(0, 0, -1, 0)));
-        light.inner = degrees(7);
-        light.outer = degrees(24);
+        light.inner = degrees(13);
+        light.outer = degrees(66);
         lights.push_back(light);
     }
 

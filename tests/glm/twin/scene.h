@@ -39,12 +39,12 @@ public:
             } else if (call.name == light(0) + ".position") {
                 put(call, glm::vec3(view * motorcycle * glm::vec4(0, 1.6f, 0, 1)));
             } else if (call.name == spot + ".position") {
-                put(call, glm::vec3(view * motorcycle * glm::vec4(0, 0.9f, -1.6f, 1)));
+                put(call, glm::vec3(view * motorcycle * glm::vec4(0, 0.64f, -1.8f, 1)));
             } else if (call.name.rfind("light[", 0) == 0 && call.name.find("].position") != std::string::npos) {
                 put(call, glm::vec3(view * glm::vec4(corner(call.name[6] - '1'), 1)));
             } else if (call.name == spot + ".direction" && call.values != none) {
                 // A spotlight sends all that a point light does, no direction, and then its own.
-                const glm::mat4 turn = glm::rotate(glm::mat4(1), glm::radians(-4.0f), glm::vec3(1, 0, 0));
+                const glm::mat4 turn = glm::rotate(glm::mat4(1), glm::radians(-14.0f), glm::vec3(1, 0, 0));
                 put(call, glm::normalize(glm::vec3(view * motorcycle * turn * glm::vec4(0, 0, -1, 0))));
             }
         }

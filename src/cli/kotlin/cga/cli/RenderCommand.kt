@@ -37,6 +37,8 @@ public class RenderCommand : CliktCommand("render") {
     private val mouse by option("--mouse", metavar = "DX", help = "Move the mouse so many pixels to the right; over all frames together")
         .double()
         .default(0.0)
+    private val camera by option("--camera", help = "A view of the motorcycle from near. Default: the sheet's, from behind and above")
+        .choice(CameraView.entries.associateBy { it.word })
     private val drive by option("--drive", metavar = "SCRIPT", help = "Keys held from time 0 on, as in \"W 2, WA 0.5\"")
         .convert { DriveScript.parse(it) }
         .default(DriveScript.NONE)
@@ -106,6 +108,7 @@ public class RenderCommand : CliktCommand("render") {
     ) {
         specular?.let { player.scene.specularModel = it }
         player.scene.gamma = gamma
+        camera?.place(player.scene)
         if (frames == 1 && !(png != null && isAnimation(png))) picture(player, canvas, 0, png) else sequence(player, canvas, png)
         player.scene.cleanup()
     }

@@ -5,7 +5,8 @@ import java.util.concurrent.atomic.AtomicInteger
 import java.util.stream.IntStream
 
 /**
- * The truth: shades a frame on the CPU in double precision, with no OpenGL and no line in common with what it judges.
+ * The truth: shades a frame on the CPU in double precision, without OpenGL and without its formulas. What both start from (models, textures,
+ * mip levels, camera, places of lights, constants) is checked by a third program, tests/glm/picture.cpp.
  *
  * It draws as the scene does: front faces only, `GL_LESS` depth test, no blending, black background. What OpenGL leaves to the driver is
  * taken at its ideal: vertices are not rounded to a grid of sub-pixels, depth is not rounded to 24 bits, and the mip level comes from

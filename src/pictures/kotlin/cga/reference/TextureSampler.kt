@@ -15,6 +15,7 @@ import kotlin.math.max
  * max(m_u, m_v) and m_u + m_v in its place, m being the larger derivative of u and of v.
  */
 public class TextureSampler(texture: FrameTexture) {
+    private val color = texture.image.color
     private val levels = texture.image.levels
     private val wrapS = WrapMode.of(texture.wrapS)
     private val wrapT = WrapMode.of(texture.wrapT)
@@ -46,6 +47,7 @@ public class TextureSampler(texture: FrameTexture) {
         dy: Vector2dc,
         dest: Vector3d,
     ): Vector3d {
+        if (color != null) return dest.set(color)
         dest.zero()
         val lambda = levelOfDetail(dx, dy)
         if (lambda <= switchOver) {

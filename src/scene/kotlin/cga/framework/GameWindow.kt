@@ -46,6 +46,10 @@ public abstract class GameWindow(
     public var pixelRatio: Float = 1f
         private set
 
+    /** Framebuffer pixels for what should be a pixel's size to read by: the monitor's scale, whether or not the window system applies it. */
+    public var contentScale: Float = 1f
+        private set
+
     /** Time of the last update in seconds since [run] began: the number of updates times their length, so it never drifts. */
     public val currentTime: Double get() = updates * updateStep
 
@@ -102,6 +106,9 @@ public abstract class GameWindow(
 
     override fun getKeyState(key: Int): Boolean = window != NULL && glfwGetKey(window, key) == GLFW_PRESS
 
+    /** GLFW's handle of the open window, 0 before and after. */
+    public val handle: Long get() = window
+
     /** The cursor's last position; the same object every time. */
     public val mousePos: MousePosition get() = mouse
 
@@ -155,7 +162,9 @@ public abstract class GameWindow(
         }
     }
 
-    private fun open() {
+    /** Opens the window and makes its context current, unless that has been done; [run] does it otherwise. Throws [InputError]. */
+    protected open fun open() {
+        if (window != NULL) return
         // Before the window is made: GLFW draws into it at once, and X11 ends the program when it is beyond what the driver can.
         if (maxOf(width, height) > MAX_SIDE) throw InputError("size ${width}x$height is too large for a window: at most $MAX_SIDE a side.")
         Glfw.start(GLFW_ANY_PLATFORM)?.let {
@@ -201,6 +210,9 @@ public abstract class GameWindow(
         val windowWidth = IntArray(1)
         glfwGetWindowSize(window, windowWidth, null)
         if (windowWidth[0] > 0) pixelRatio = w.toFloat() * INJECTED_RATIO / windowWidth[0]
+        val scale = FloatArray(1)
+        glfwGetWindowContentScale(window, scale, FloatArray(1))
+        contentScale = maxOf(scale[0], pixelRatio)
     }
 
     private fun loop() {

@@ -24,6 +24,7 @@ internal class DarkWatch(
     private var isDue = true
     private var next = 0.0
     private var isDark = false
+    private var view = View.FULL
     private val rows = MemoryUtil.memAlloc(4 * MAX_WIDTH)
 
     /** Something has changed: look at the next picture. */
@@ -33,9 +34,11 @@ internal class DarkWatch(
 
     /** After drawing the picture of [time] (seconds): the likely causes, or null for what the last call said. */
     fun look(time: Double): List<Finding>? {
-        // A term alone may well be black, and a light may be switched off on purpose.
-        if (look.view != View.FULL || !look.areAllOn) return emptyList()
-        if (!isDue && time < next) return null
+        if (look.view != view) isDue = true
+        view = look.view
+        // A term alone may well be black, and a light may be switched off on purpose: then only what has changed is a reason to look.
+        val isPart = view != View.FULL || !look.areAllOn
+        if (!isDue && (isPart || time < next)) return null
         next = time + PAUSE
         if (!isDue && !isDark && !isBlack()) return null
         isDue = false

@@ -1,11 +1,12 @@
 package cga.inspect
 
+import cga.coach.host.Watch
+import cga.coach.ui.say
 import cga.exercise.game.Game
 import cga.exercise.game.Step
 import cga.framework.Home
 import cga.framework.InputError
 import cga.inspect.doctor.EvidenceReader
-import cga.inspect.probe.Probe
 import cga.inspect.record.Recorder
 import cga.inspect.tune.Tuning
 import cga.inspect.view.InspectedProgram
@@ -40,13 +41,15 @@ public open class InspectedGame private constructor(
     private val pointer = Pointer()
     private val dark = DarkWatch(this, look, EvidenceReader(scene, look, traffic))
     private lateinit var overlay: Overlay
-    private lateinit var shaders: ShaderWatch
+    private lateinit var shaders: Watch
+    private val probe = ProbeWatch(this, scene, look) { inspected.modelAt(it, framebufferWidth) }
     private var isPicking = false
     private var orbitX = Double.NaN
 
     override fun start() {
-        overlay = Overlay(this, look, notices, ControlPanel(scene, look, tuning, clock, ::copy))
-        shaders = ShaderWatch(Home.resolve("shaders"))
+        overlay = Overlay(this, look, notices, ControlPanel(scene, look, tuning, clock, actions()), inspected)
+        shaders = Watch({ listOf(Home.resolve("shaders")) }) { it.substringAfterLast('.') in SHADERS }
+        notices.say(say("Tab opens the panel · H shows all keys", "Tab öffnet die Tafel · H zeigt alle Tasten"), currentTime, START_SECONDS)
         // Last, since it names the step in the title: the sign that the window is ready.
         super.start()
     }
@@ -76,7 +79,9 @@ public open class InspectedGame private constructor(
         } catch (e: InputError) {
             report(e)
         }
-        if (isPicking) pick()
+        if (isPicking) probe.pick()
+        isPicking = false
+        if (overlay.isOpen) probe.look(currentTime)?.let { overlay.probe.show(it) }
         if (notices.error == null) inspected.drawGizmos()
     }
 
@@ -88,18 +93,6 @@ public open class InspectedGame private constructor(
         if (notices.error == null) dark.look(currentTime)?.let { notices.findings = it }
         glViewport(0, 0, framebufferWidth, framebufferHeight)
         overlay.draw(currentTime)
-    }
-
-    /** The pixel under the cursor, with the picture still as it was drawn. */
-    private fun pick() {
-        isPicking = false
-        val column = (mousePos.xpos * pixelRatio).toInt().coerceIn(0, framebufferWidth - 1)
-        val row = (mousePos.ypos * pixelRatio).toInt().coerceIn(0, framebufferHeight - 1)
-        val model = inspected.modelAt(column, framebufferWidth)
-        look.specularModel = model
-        overlay.probe.show(Probe(scene).look(column, row, framebufferWidth, framebufferHeight, look, model))
-        look.specularModel = null
-        glViewport(0, 0, framebufferWidth, framebufferHeight)
     }
 
     override fun onKey(
@@ -120,6 +113,14 @@ public open class InspectedGame private constructor(
         if (action == GLFW_PRESS) press(key, mode and GLFW_MOD_SHIFT != 0)
     }
 
+    /** What the panel's buttons do: all that keys do. */
+    private fun actions() =
+        Actions(
+            press = { key -> onKey(key, 0, GLFW_PRESS, 0) },
+            copy = ::copy,
+            split = ::split,
+        )
+
     private fun press(
         key: Int,
         isShifted: Boolean,
@@ -128,6 +129,7 @@ public open class InspectedGame private constructor(
             GLFW_KEY_TAB -> openPanel(!overlay.isOpen)
             GLFW_KEY_V -> nextView(if (isShifted) -1 else 1)
             GLFW_KEY_F -> split(!look.isSplit)
+            GLFW_KEY_H, GLFW_KEY_F1 -> overlay.showsKeys = !overlay.showsKeys
             GLFW_KEY_G -> look.hasGizmos = !look.hasGizmos
             GLFW_KEY_P -> clock.isPaused = !clock.isPaused
             GLFW_KEY_F9 -> saveRecording()
@@ -142,11 +144,20 @@ public open class InspectedGame private constructor(
 
     private fun split(isSplit: Boolean) {
         look.isSplit = isSplit
-        if (isSplit) notices.say("hold the left mouse button to move the divider", currentTime)
+        if (!isSplit) return
+        val text =
+            if (inspected.areSidesEqual()) {
+                say("both sides are equal here: no highlight is in sight", "beide Seiten sind hier gleich: Kein Glanzlicht ist zu sehen")
+            } else {
+                say("hold the left mouse button to move the divider", "die linke Maustaste halten, um die Trennlinie zu bewegen")
+            }
+        notices.say(text, currentTime)
+        glViewport(0, 0, framebufferWidth, framebufferHeight)
     }
 
     private fun openPanel(open: Boolean) {
         overlay.isOpen = open
+        probe.stop()
         setCursorVisible(open)
         pointer.pause()
     }
@@ -156,7 +167,7 @@ public open class InspectedGame private constructor(
         ypos: Double,
     ) {
         pointer.move(xpos, overlay.isOpen)
-        overlay.input?.move(xpos, ypos)
+        overlay.move(xpos, ypos)
         if (!pointer.isDividing) return
         // A cursor that is seen has the divider under it; one that is not moves it along.
         val share = pixelRatio / framebufferWidth
@@ -195,7 +206,7 @@ public open class InspectedGame private constructor(
             traffic.warnings.clear()
             scene.reloadShaders()
             notices.error = null
-            notices.say("shaders reloaded", currentTime)
+            notices.say(say("shaders reloaded", "Shader neu geladen"), currentTime)
             println("shaders reloaded")
         } catch (e: InputError) {
             report(e)
@@ -211,7 +222,7 @@ public open class InspectedGame private constructor(
     override fun saveScreenshot() {
         recorder.picture()
         super.saveScreenshot()
-        notices.say("screenshot saved", currentTime)
+        notices.say(say("picture saved", "Bild gespeichert"), currentTime)
     }
 
     private fun saveRecording() {
@@ -220,7 +231,7 @@ public open class InspectedGame private constructor(
             val file = freeName("recording-%03d.txt")
             recorder.recording().write(file)
             println("saved $file")
-            notices.say("saved $file: ./cga replay $file", currentTime)
+            notices.say(say("saved $file: ./cga replay $file", "$file gespeichert: ./cga replay $file"), currentTime)
         } catch (e: InputError) {
             System.err.println(e.message)
         }
@@ -228,12 +239,13 @@ public open class InspectedGame private constructor(
 
     private fun copy(code: String) {
         copyToClipboard(code)
-        notices.say("copied as Kotlin code", currentTime)
+        notices.say(say("copied as Kotlin code", "als Kotlin-Code kopiert"), currentTime)
     }
 
     override fun shutdown() {
         shaders.close()
         dark.close()
+        probe.close()
         inspected.close()
         overlay.close()
         super.shutdown()
@@ -243,8 +255,10 @@ public open class InspectedGame private constructor(
         /** The keys, for people. */
         public const val HELP: String =
             "${Game.HELP} · Tab panel and cursor (click a pixel for its numbers, right button orbits) · V what is shown · " +
-                "F Phong beside Blinn-Phong (hold the left button to move the divider) · G light gizmos · P pause time · " +
+                "H all keys · F Phong beside Blinn-Phong (hold the left button to move the divider) · G light gizmos · P pause time · " +
                 "C copy values as Kotlin · F9 save all input since the start"
+        private val SHADERS = setOf("vert", "frag", "glsl")
         private const val GRIP = 8.0
+        private const val START_SECONDS = 6.0
     }
 }

@@ -1,8 +1,9 @@
 package cga.inspect
 
+import cga.coach.ui.Ui
+import cga.coach.ui.UiColor
+import cga.coach.ui.say
 import cga.inspect.doctor.Finding
-import cga.inspect.ui.Ui
-import cga.inspect.ui.UiColor
 
 /** What the window has to say by itself: an error in a shader, why the picture is dark, that something was done. */
 internal class Notices {
@@ -14,13 +15,14 @@ internal class Notices {
     private var note = ""
     private var noteEnd = 0.0
 
-    /** Says [text] for a moment from [time] (seconds) on. */
+    /** Says [text] for some [seconds] from [time] (seconds) on. */
     fun say(
         text: String,
         time: Double,
+        seconds: Double = NOTE_SECONDS,
     ) {
         note = text
-        noteEnd = time + NOTE_SECONDS
+        noteEnd = time + seconds
     }
 
     /** Whether there is anything to draw at [time]. */
@@ -32,7 +34,6 @@ internal class Notices {
         width: Float,
         height: Float,
         taken: Float,
-        time: Double,
     ) {
         val room = (width - taken - 2 * MARGIN).coerceIn(MIN_WIDTH, MAX_WIDTH)
         val error = error
@@ -41,7 +42,16 @@ internal class Notices {
         } else if (findings.isNotEmpty()) {
             drawFindings(ui, room, height)
         }
-        if (time < noteEnd) ui.canvas("note", width, height) { words(note, MARGIN + PADDING, height - MARGIN - NOTE_HEIGHT, UiColor.GOOD) }
+    }
+
+    /** Draws what is said for a moment at [time], beside all panels: to be called after them. */
+    fun drawNote(
+        ui: Ui,
+        width: Float,
+        height: Float,
+        time: Double,
+    ) {
+        if (time < noteEnd) ui.toast(note, width, height)
     }
 
     private fun drawError(
@@ -52,7 +62,8 @@ internal class Notices {
     ) {
         val lines = error.lines().take(MAX_LINES)
         val tall = (lines + AGAIN).sum { ui.widgets.height(it, room) + GAP } + TITLE
-        ui.panel("The shader does not compile; the old one stays in use", MARGIN, MARGIN, room, minOf(tall, height - 2 * MARGIN)) {
+        val title = say("The shader does not compile; the old one stays in use", "Der Shader lässt sich nicht übersetzen; der alte bleibt")
+        ui.panel(title, MARGIN, MARGIN, room, minOf(tall, height - 2 * MARGIN)) {
             for (line in lines) paragraph(line, room, if (line.startsWith(SOURCE)) UiColor.WARNING else UiColor.ERROR)
             paragraph(AGAIN, room, UiColor.FAINT)
         }
@@ -65,7 +76,8 @@ internal class Notices {
     ) {
         val shown = findings.take(MAX_FINDINGS)
         val tall = shown.sum { ui.widgets.height("1. ${it.found}", room) + ui.widgets.height(it.cure, room) + 2 * GAP } + TITLE + MORE
-        ui.panel("Dark? Likely causes, the likeliest first", MARGIN, MARGIN, room, minOf(tall, height - 2 * MARGIN)) {
+        val title = say("Dark? Likely causes, the likeliest first", "Dunkel? Mögliche Ursachen, die wahrscheinlichste zuerst")
+        ui.panel(title, MARGIN, MARGIN, room, minOf(tall, height - 2 * MARGIN)) {
             for ((i, finding) in shown.withIndex()) {
                 paragraph("${i + 1}. ${finding.found}", room, UiColor.WARNING)
                 paragraph(finding.cure, room)
@@ -77,15 +89,13 @@ internal class Notices {
     private fun <T> List<T>.sum(of: (T) -> Float): Float = fold(0f) { sum, it -> sum + of(it) }
 
     private companion object {
+        val AGAIN = say("Save the file again: it is read by itself.", "Nach dem Speichern wird die Datei neu gelesen.")
         const val NOTE_SECONDS = 2.5
         const val MARGIN = 14f
-        const val PADDING = 10f
-        const val NOTE_HEIGHT = 18f
         const val GAP = 5f
         const val TITLE = 52f
         const val MORE = 24f
         const val SOURCE = "    "
-        const val AGAIN = "Save the file again: it is read by itself."
         const val MIN_WIDTH = 220f
         const val MAX_WIDTH = 760f
         const val MAX_LINES = 14

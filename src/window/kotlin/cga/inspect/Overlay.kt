@@ -1,9 +1,10 @@
 package cga.inspect
 
+import cga.coach.ui.Ui
+import cga.coach.ui.UiColor
+import cga.coach.ui.UiInput
+import cga.coach.ui.keys
 import cga.framework.GameWindow
-import cga.inspect.ui.Ui
-import cga.inspect.ui.UiColor
-import cga.inspect.ui.UiInput
 import cga.inspect.view.Look
 
 /** All that lies over the picture: the panels, the window's own notices, the divider of the split view. Needs the OpenGL context. */
@@ -12,10 +13,11 @@ internal class Overlay(
     private val look: Look,
     private val notices: Notices,
     private val panel: ControlPanel,
+    private val inspected: InspectedScene,
 ) : AutoCloseable {
-    private val ui = Ui(window.pixelRatio)
-    private val width get() = window.framebufferWidth / window.pixelRatio
-    private val height get() = window.framebufferHeight / window.pixelRatio
+    private val ui = Ui(window.contentScale)
+    private val width get() = window.framebufferWidth / window.contentScale
+    private val height get() = window.framebufferHeight / window.contentScale
 
     /** The numbers of the pixel that was clicked. */
     val probe: ProbePanel = ProbePanel()
@@ -27,6 +29,20 @@ internal class Overlay(
             if (!value) probe.show(null)
         }
 
+    /** Whether all keys are listed. */
+    var showsKeys: Boolean = false
+
+    /** Of the panels' units so many are one of the cursor's. */
+    private val ratio get() = window.pixelRatio / window.contentScale
+
+    /** The cursor is at ([x], [y]), in the window's coordinates. */
+    fun move(
+        x: Double,
+        y: Double,
+    ) {
+        input?.move(x * ratio, y * ratio)
+    }
+
     /** What the panels are told; null while they are closed. */
     val input: UiInput? get() = if (isOpen) ui.input else null
 
@@ -34,20 +50,29 @@ internal class Overlay(
     val isTyping: Boolean get() = isOpen && ui.isTypingIn(ControlPanel.TITLE)
 
     /** Whether the mouse is over one of the panels. */
-    val isMouseOver: Boolean get() = isOpen && ui.isOver(window.mousePos.xpos.toFloat(), window.mousePos.ypos.toFloat())
+    val isMouseOver: Boolean get() = isOpen && ui.isOver(window.mousePos.xpos.toFloat() * ratio, window.mousePos.ypos.toFloat() * ratio)
 
     /** Draws it as of [time] (seconds) into the window's framebuffer. */
     fun draw(time: Double) {
-        if (!isOpen && !look.isSplit && !notices.isAny(time)) return
+        if (!isOpen && !showsKeys && !look.isSplit && !look.hasGizmos && !notices.isAny(time)) return
         ui.begin()
+        if (look.hasGizmos) drawNames()
         if (look.isSplit) drawDivider()
-        notices.draw(ui, width, height, if (isOpen) ControlPanel.TAKES else 0f, time)
+        val taken = if (isOpen) ControlPanel.TAKES else 0f
+        notices.draw(ui, width, height, taken)
         if (isOpen) {
-            probe.draw(ui, width, height, window.pixelRatio)
+            probe.draw(ui, width, height, window.contentScale)
             panel.draw(ui, width, height)
         }
+        if (showsKeys) ui.keys(InspectedKeys.ALL, width - taken, height)
+        notices.drawNote(ui, width, height, time)
         ui.end(width.toInt(), height.toInt())
     }
+
+    private fun drawNames() =
+        ui.canvas("names", width, height) {
+            inspected.nameGizmos { name, place -> words(name, place.x() * width + GAP, place.y() * height, UiColor.TEXT) }
+        }
 
     private fun drawDivider() =
         ui.canvas("divider", width, height) {

@@ -1,12 +1,12 @@
 package cga.inspect
 
+import cga.coach.ui.Columns
+import cga.coach.ui.Pencil
+import cga.coach.ui.Ui
+import cga.coach.ui.UiColor
+import cga.coach.ui.Widgets
 import cga.inspect.probe.ProbeText
 import cga.inspect.probe.Probed
-import cga.inspect.ui.Columns
-import cga.inspect.ui.Pencil
-import cga.inspect.ui.Ui
-import cga.inspect.ui.UiColor
-import cga.inspect.ui.Widgets
 
 /** The panel on the left with the numbers of the pixel that was clicked. */
 internal class ProbePanel {
@@ -72,7 +72,7 @@ internal class ProbePanel {
     private companion object {
         const val TITLE = "The numbers at a pixel"
         const val MARGIN = 7f
-        const val WIDTH = 380f
+        const val WIDTH = 330f
         const val HEIGHT = 430f
         val PAIR = Columns(0.4f, 0.6f)
         const val LONG = 12f

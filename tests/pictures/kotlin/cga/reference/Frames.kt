@@ -7,7 +7,6 @@ import cga.framework.FrameLight
 import cga.framework.FrameMaterial
 import cga.framework.FrameTexture
 import cga.framework.SpecularModel
-import cga.framework.image.ImageData
 import cga.framework.image.TextureImage
 import org.joml.Matrix4d
 import org.joml.Matrix4dc
@@ -62,4 +61,4 @@ internal fun vertex(x: Double, y: Double, z: Double = 0.0) = floatArrayOf(x.toFl
 /** A texture of one texel. */
 internal fun plain(
     gray: Float,
-) = FrameTexture(TextureImage(ImageData.ofColor(gray, gray, gray), false), GL_REPEAT, GL_REPEAT, GL_LINEAR, GL_LINEAR)
+) = FrameTexture(TextureImage.ofColor(Vector3f(gray)), GL_REPEAT, GL_REPEAT, GL_LINEAR, GL_LINEAR)

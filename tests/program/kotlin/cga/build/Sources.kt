@@ -18,7 +18,7 @@ internal val PACKAGES: Map<String, Set<String>> =
         "reader" to setOf("reader"),
         "pictures" to setOf("imaging", "reference"),
         "cli" to setOf("cli"),
-        "window" to setOf("inspect", "cli.window"),
+        "window" to setOf("coach", "inspect", "cli.window"),
         "grader" to setOf("grading", "cli.grader"),
         "lab" to setOf("measure", "cli.lab"),
     )

@@ -5,6 +5,7 @@ import cga.grading.capture.CapturedDraw
 import cga.grading.capture.EventKind
 import cga.grading.capture.Moment
 import cga.grading.findings.Findings
+import cga.grading.findings.Found
 import cga.grading.findings.Message
 import cga.grading.replay.Replay
 import cga.grading.sheet4.scene.SceneJudge
@@ -49,13 +50,17 @@ internal class Analysis(
                     } ?: emptyList()
                 Findings(
                     verdict.checks,
-                    verdict.mistakes,
+                    located(verdict.mistakes),
                     study.plots,
                     pictures,
                     study.notes.map(Message::plain) + scene.notes + eventNotes().map(Message::plain),
                 )
             }
         }
+
+    /** Only where something is wrong is it worth reading the shaders once more. */
+    private fun located(mistakes: List<Found>): List<Found> =
+        if (mistakes.isEmpty()) mistakes else ShaderLines(given).let { lines -> mistakes.map(lines::located) }
 
     private fun checkRun() {
         val isEmpty = given.frames.none { frame -> frame.steps.any { it is CapturedDraw } }

@@ -5,7 +5,6 @@ import cga.grading.findings.Found
 import cga.grading.findings.Measured
 import cga.grading.findings.Mistake
 import cga.grading.rubric.disturbedBy
-import cga.grading.sheet4.scene.SceneJudge
 import cga.grading.sheet4.scene.SceneVerdict
 
 /**
@@ -14,7 +13,7 @@ import cga.grading.sheet4.scene.SceneVerdict
  * 1. What the study says of lights that never shine is said of nothing.
  * 2. Where both judge one thing, the one that sees its cause is believed ([Quarrel]).
  * 3. Mistakes that are only traces of another are dropped ([VerdictTraces]); what they cost is explained by it.
- * 4. A check has the larger of both errors. What the submission does not have is not found.
+ * 4. A check has the larger of both errors. What the submission does not have is not found, except where its shaders could do it.
  *
  * @property checks one for each [Check], in order.
  * @property mistakes most telling first, each once; [Found.explains] is determined for all.
@@ -36,9 +35,15 @@ internal class Verdict private constructor(
                     other.where == it.where && other !== it
                 }
             }
-            val traced = (all - causes.toSet()).flatMap { VerdictTraces.checks(it.mistake) }.toSet()
-            val checks = VerdictChecks(shading, scene, known, traced).all()
-            val mistakes = known.map { explained(it, all, quarrel.unfounded.isNotEmpty(), checks, scene) }
+            val checks = VerdictChecks(shading, scene, known).all()
+            val dim = if (needed(known) <= scene.unlit.size) known.map { it.mistake }.filter(VerdictTraces::saysMissing) else emptyList()
+            // Numbers that never arrive hide nothing where no shader would do anything with them.
+            val isShading = shading.checks.any { it.check in VerdictTraces.SHADING && it.error != null }
+            val dark = if (isShading) emptySet() else checks.filter { !it.found }.map { it.check }.toSet()
+            val mistakes =
+                known
+                    .map { explained(it, all, it.mistake in dim, quarrel.unfounded.isNotEmpty(), checks) }
+                    .map { copy(it, it.explains.orEmpty() - dark) }
             val unknown = if (all.any { it.mistake == Mistake.UNKNOWN }) null else unexplained(checks, mistakes)
             return Verdict(checks, mistakes + listOfNotNull(unknown))
         }
@@ -53,9 +58,6 @@ internal class Verdict private constructor(
             val worst = open.maxByOrNull { it.error ?: 0.0 } ?: return null
             return Found(Mistake.UNKNOWN, 1.0, worst.error ?: 1.0, open.joinToString { it.check.id }, explains = emptySet())
         }
-
-        /** What the scene measures without the study. */
-        private val APART = SceneJudge.CHECKS - setOf(Check.CONE, Check.ATTENUATION_POINT, Check.ATTENUATION_SPOT)
 
         /** No tolerance of the rubric is as wide, but that for a further light of two. */
         private const val OFF = 0.3
@@ -75,17 +77,21 @@ internal class Verdict private constructor(
                 )
             }
 
+        /** How many lights are missing at least. */
+        private fun needed(known: List<Found>): Int = known.sumOf { VerdictTraces.lights(it.mistake) }
+
         /**
          * [cause] with all that it explains: what it disturbs by its nature if that is there at all, and what its traces would have cost.
          *
+         * @param isDim whether it says that a light is missing that the shaders could show: then it costs no more than itself.
          * @param isVoid whether something was measured where no light arrives.
          */
         private fun explained(
             cause: Found,
             all: List<Found>,
+            isDim: Boolean,
             isVoid: Boolean,
             checks: List<Measured>,
-            scene: SceneVerdict,
         ): Found {
             if (cause.mistake == Mistake.UNKNOWN) return cause
             // All that could be seen was seen: that is no reason for points.
@@ -93,10 +99,9 @@ internal class Verdict private constructor(
             val absent = checks.filter { !it.found }.map { it.check }.toSet()
             val traces = all.filter { it !== cause && VerdictTraces.isTrace(it, cause) }.flatMap { VerdictTraces.checks(it.mistake) }
             val isMissing = VerdictTraces.saysMissing(cause.mistake) || VerdictTraces.isLoss(cause)
-            // The scene measures each of its checks with its other mistakes repaired.
-            val apart = if (scene[cause.mistake] == null) emptySet() else APART
             val void = if (isVoid && isMissing) VerdictTraces.SHADING else emptySet()
-            return copy(cause, cause.explains.orEmpty() + (disturbedBy(cause.mistake) - apart + void - absent) + traces)
+            val own = if (isDim) VerdictTraces.checks(cause.mistake) else emptySet()
+            return copy(cause, cause.explains.orEmpty() + (disturbedBy(cause.mistake) + void - absent) + traces + own)
         }
 
         private fun copy(

@@ -10,13 +10,11 @@ import cga.grading.sheet4.scene.SceneVerdict
  * The checks of two witnesses in one list.
  *
  * @param known the mistakes that are believed.
- * @param traced checks of which only traces of other mistakes say that there is nothing.
  */
 internal class VerdictChecks(
     private val shading: ShadingVerdict,
     private val scene: SceneVerdict,
     private val known: List<Found>,
-    private val traced: Set<Check>,
 ) {
     fun all(): List<Measured> = Check.entries.map(::merged)
 
@@ -40,8 +38,7 @@ internal class VerdictChecks(
         check: Check,
         shaders: Measured?,
     ): Measured? {
-        val said = scene[check] ?: return null
-        val staging = if (said.found || check !in traced) said else Measured.of(check, 1.0, said.message)
+        val staging = scene[check] ?: return null
         val isShaded = shaders?.error != null
         // What never shines may be computed right all the same.
         if (isShaded && !staging.found) return null

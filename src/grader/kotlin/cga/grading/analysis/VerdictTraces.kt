@@ -90,6 +90,15 @@ internal object VerdictTraces {
     /** Whether [mistake] says that a light is not there. */
     fun saysMissing(mistake: Mistake): Boolean = mistake in MISSING
 
+    /** How many lights are missing, at least, where [mistake] is made. */
+    fun lights(mistake: Mistake): Int = if (mistake == Mistake.MORE_LIGHTS_MISSING) {
+        2
+    } else if (saysMissing(mistake)) {
+        1
+    } else {
+        0
+    }
+
     /** What the study measures by light: where none arrives, it is measured of nothing. */
     val SHADING: Set<Check> =
         setOf(

@@ -1,5 +1,6 @@
 package cga.grading.capture
 
+import cga.coach.calls.Interception
 import java.io.File
 import java.io.IOException
 import java.net.URI
@@ -16,28 +17,26 @@ import java.util.jar.JarOutputStream
 public object WorkerFiles {
     /** Writes the worker's classes to the jar file [target]. Throws [IOException]. */
     public fun writeJar(target: Path) {
-        val home = Path.of(WorkerFiles::class.java.protectionDomain.codeSource.location.toURI())
         JarOutputStream(Files.newOutputStream(target)).use { jar ->
-            if (Files.isDirectory(home)) {
-                copy(home, jar)
-            } else {
-                FileSystems.newFileSystem(URI("jar:${home.toUri()}"), emptyMap<String, Any>()).use { copy(it.getPath("/"), jar) }
+            for ((part, one) in PARTS) {
+                val home = Path.of(one.protectionDomain.codeSource.location.toURI())
+                if (Files.isDirectory(home)) {
+                    copy(home, part, jar)
+                } else {
+                    FileSystems.newFileSystem(URI("jar:${home.toUri()}"), emptyMap<String, Any>()).use { copy(it.getPath("/"), part, jar) }
+                }
             }
+            entry("META-INF/services/javax.sound.sampled.spi.MixerProvider", jar) { jar.write(SOUND.toByteArray()) }
         }
     }
 
     private fun copy(
         root: Path,
+        part: String,
         jar: JarOutputStream,
     ) {
-        for (part in PARTS) {
-            val folder = root.resolve("cga/grading/$part")
-            val files = Files.list(folder).use { list -> list.filter { it.toString().endsWith(".class") }.toList() }
-            for (file in files.sortedBy { it.fileName.toString() }) {
-                entry("cga/grading/$part/${file.fileName}", jar) { Files.copy(file, jar) }
-            }
-        }
-        entry("META-INF/services/javax.sound.sampled.spi.MixerProvider", jar) { jar.write(SOUND.toByteArray()) }
+        val files = Files.list(root.resolve(part)).use { list -> list.filter { it.toString().endsWith(".class") }.toList() }
+        for (file in files.sortedBy { it.fileName.toString() }) entry("$part/${file.fileName}", jar) { Files.copy(file, jar) }
     }
 
     private fun entry(
@@ -88,7 +87,12 @@ public object WorkerFiles {
         return natives == (if (platform == "mac") "macos" else platform) + suffix
     }
 
-    private val PARTS = listOf("capture", "worker")
+    /** Folders of classes, each with a class that lies where they do. */
+    private val PARTS = mapOf(
+        "cga/grading/capture" to WorkerFiles::class.java,
+        "cga/grading/worker" to WorkerFiles::class.java,
+        "cga/coach/calls" to Interception::class.java,
+    )
     private const val SOUND = "cga.grading.worker.SilentSound"
     private const val MAIN = "cga.grading.worker.WorkerMain"
     private val LIBRARY = Regex("(kotlin-stdlib|annotations|lwjgl|joml)(-.*)?\\.jar")

@@ -14,7 +14,10 @@ public class Findings(
     public val pictures: List<Evidence>,
     public val notes: List<Message>,
     public val proof: Proof? = null,
-)
+) {
+    /** These findings with other [mistakes]. */
+    public fun with(mistakes: List<Found>): Findings = Findings(checks, mistakes, plots, pictures, notes, proof)
+}
 
 /** What is known of a check. */
 public enum class Standing {
@@ -103,7 +106,11 @@ public class Found(
     public val details: List<Message> = emptyList(),
     public val places: List<Place> = emptyList(),
     public val proof: Proof? = null,
-)
+) {
+    /** The same, written at [places]. */
+    public fun at(places: List<Place>): Found =
+        if (places == this.places) this else Found(mistake, fit, difference, where, alternatives, explains, details, places, proof)
+}
 
 /** A measured curve and the one expected, over the same [x]. */
 public class Plot(

@@ -15,7 +15,7 @@ public class Place(
 ) {
     /** This place with the lines of [text], which is the whole file, around it. A line that the file does not have stays without. */
     public fun within(text: String): Place {
-        val lines = text.lines()
+        val lines = text.removeSuffix("\n").lines()
         if (line !in 1..lines.size) return this
         val from = maxOf(1, line - AROUND)
         return Place(file, line, lines.subList(from - 1, minOf(lines.size, line + AROUND)).map { it.take(LONGEST) }, from)

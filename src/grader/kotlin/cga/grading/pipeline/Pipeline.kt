@@ -78,7 +78,7 @@ public class Pipeline(
         val compiled = run.timed("compile") { compile(tree, folder("compile"), run) }
         val capture = run.timed("run") { capture.capture(tree, main, compiled, folder("run"), run) }
         val findings = run.timed("measure") { measure.measure(manifest.edition, capture, folder("measure"), folder, run) }
-        return run.graded(compiled.replaced.applied(findings), manifest.notes + compiled.notes)
+        return run.graded(Excerpts(tree).applied(compiled.replaced.applied(findings)), manifest.notes + compiled.notes)
     }
 
     private fun compile(tree: PreparedTree, scratch: Path, run: Run): Compiled {

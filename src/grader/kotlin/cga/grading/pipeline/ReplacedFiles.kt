@@ -21,6 +21,7 @@ internal class ReplacedFiles(private val names: List<String>) {
             findings.plots.filterNot { it.check in checks },
             findings.pictures,
             findings.notes,
+            findings.proof,
         )
     }
 

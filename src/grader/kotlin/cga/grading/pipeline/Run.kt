@@ -61,6 +61,7 @@ internal class Run(
                 findings.plots,
                 findings.pictures,
                 (notes.map(Message::plain) + findings.notes).distinct(),
+                findings.proof,
             ),
             facts(),
         )

@@ -10,6 +10,7 @@ import cga.grading.prepared.Kind
 import cga.grading.sandbox.Scratch
 import cga.grading.sandbox.Temporary
 import cga.grading.starter.StarterFiles
+import cga.grading.starter.StarterLanguage
 import java.nio.file.Path
 import java.util.concurrent.ConcurrentHashMap
 import kotlin.io.path.createDirectories
@@ -66,7 +67,8 @@ internal class Solutions(
     }
 
     private fun filledIn(folder: Path): Path {
-        for ((name, bytes) in StarterFiles.solution()) folder.resolve(name).createParentDirectories().writeBytes(bytes)
+        val files = StarterFiles(StarterLanguage.ENGLISH).solution()
+        for ((name, bytes) in files) folder.resolve(name).createParentDirectories().writeBytes(bytes)
         return folder
     }
 }

@@ -9,7 +9,7 @@ internal enum class Kind(
     val reference: String,
 ) {
     /** A folder made by `./cga starter`, filled in. */
-    STARTER("src/scene/kotlin"),
+    STARTER("src/starter/src/main/kotlin"),
 
     /** A project of the course itself. */
     COURSE("$COURSE_PROJECT/src/main/kotlin"),

@@ -29,6 +29,7 @@ internal fun FlowContent.mistakes(findings: Findings, grade: Grade, pictures: Ev
         return
     }
     h2("heading") { +messages.text("page.mistakes") }
+    findings.proof?.let { p("note") { +said("page.proof-all", it, messages) } }
     val told = mutableSetOf<Any>()
     for (found in mistakes) {
         val home = grade.checks.find { it.state == CheckState.MISTAKE && it.cause == found.mistake }?.takeIf { told.add(it) }
@@ -74,7 +75,7 @@ private fun FlowContent.card(found: Found, cost: String?, seen: List<String>, pr
             proofs.take(MOST_PROOFS).forEach { proof(it, messages) }
             val proof = found.proof
             if (proof != null) {
-                p("note") { +said(proof, messages) }
+                p("note") { +said("page.proof", proof, messages) }
             } else if (found.mistake !in UNFITTED && found.difference > 0) {
                 p("note") { +messages.text("page.fit", messages.percent((found.fit / found.difference).coerceIn(0.0, 1.0))) }
             }
@@ -100,9 +101,8 @@ private fun FlowContent.places(places: List<Place>, messages: Messages) {
     if (callers.isNotEmpty()) p("figures") { +messages.text("page.called-by", callers.joinToString(" ← ") { cleanLine("$it") }) }
 }
 
-/** [proof] in words. */
-internal fun said(proof: Proof, messages: Messages): String =
-    messages.text("page.proof", messages.percent(proof.explained.coerceIn(0.0, 1.0)), messages.number(proof.left, 1))
+private fun said(key: String, proof: Proof, messages: Messages): String =
+    messages.text(key, messages.percent(proof.explained.coerceIn(0.0, 1.0)), messages.number(proof.left, 1))
 
 /** What no formula was fitted for: it is unknown, or a log tells it. */
 private val UNFITTED =

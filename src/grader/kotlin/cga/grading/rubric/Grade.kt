@@ -10,15 +10,16 @@ import cga.grading.findings.Standing
 import kotlin.math.floor
 
 /**
- * The points of one submission. A defect costs once, where it belongs:
+ * The points of one submission. What nothing shows to be right earns nothing, and a defect costs once, where it belongs:
  *
- * 1. A mistake with a name costs the check that it belongs to, by the share of the rubric; the same mistake twice, or two mistakes of one
+ * 1. What the submission does not have earns nothing, unless the analysis has determined that it is there, and only unseen because of a
+ *    mistake that is charged elsewhere ([Found.explains]). What was not measured is open: a person looks.
+ * 2. A mistake with a name costs the check that it belongs to, by the share of the rubric; the same mistake twice, or two mistakes of one
  *    check, cost it once. Of a mistake that may belong to several, the first of them that is not right is meant.
- * 2. What that mistake is known to explain keeps its points, found or not ([Found.explains], where the analysis determined it).
- * 3. What was not measured stays open: a person looks. What the submission does not have earns nothing.
- * 4. An error within the tolerance earns all points.
- * 5. A larger one costs nothing either where a mistake that was charged elsewhere disturbs this check by its nature or draws the same
- *    picture as one of this check; else it costs by its size.
+ * 3. An error within the tolerance earns all points.
+ * 4. A larger one costs nothing where it was measured with a mistake in the picture that was charged elsewhere and explains it
+ *    ([Found.explains], where the analysis determined it; else by its nature), or draws the same picture as one of this check; else it
+ *    costs by its size.
  *
  * [Mistake.UNKNOWN] is no name: it costs nothing and explains what the analysis determined; else the errors speak for themselves.
  */
@@ -47,8 +48,10 @@ public class Grade private constructor(
         private fun home(found: Found, measured: Map<Check, Measured>, rubric: Rubric): Check? {
             if (found.mistake == Mistake.UNKNOWN) return null
             val homes = homesOf(found)
-            return homes.find { check -> (measured[check]?.error ?: 0.0) > rubric.rule(check).tolerance } ?: homes.first()
+            return homes.find { check -> measured[check].isWrong(rubric.rule(check).tolerance) } ?: homes.first()
         }
+
+        private fun Measured?.isWrong(tolerance: Double) = this != null && (standing == Standing.ABSENT || (error ?: 0.0) > tolerance)
 
         private fun grade(check: Check, measured: Measured?, homes: Map<Found, Check?>, rubric: Rubric): CheckGrade {
             val rule = rubric.rule(check)
@@ -66,14 +69,13 @@ public class Grade private constructor(
             val own = homes.filterValues { it == check }.keys.map { it.mistake }.maxByOrNull(rubric::cost)
             val others = homes.filterValues { it != check }.keys
             val error = measured?.error
-            // What nobody knows the nature of may be worse than it shows: what was not measured beside it is open.
-            val explanation = others.find { it.explains?.contains(check) == true && (it.mistake != Mistake.UNKNOWN || error != null) }
+            val isAbsent = measured?.standing == Standing.ABSENT
+            val hider = others.find { it.mistake != Mistake.UNKNOWN && it.explains?.contains(check) == true }
             return when {
-                own != null -> result(CheckState.MISTAKE, 1 - rubric.cost(own), own)
-                // What is not there has nothing to be right.
-                measured?.standing == Standing.ABSENT -> result(CheckState.NOT_FOUND, 0.0)
-                explanation != null && !(error != null && error <= rule.tolerance) -> result(CheckState.EXPLAINED, 1.0, explanation.mistake)
-                measured == null || error == null -> result(CheckState.OPEN, null)
+                own != null -> result(CheckState.MISTAKE, if (isAbsent) 0.0 else 1 - rubric.cost(own), own)
+                isAbsent && hider == null -> result(CheckState.NOT_FOUND, 0.0)
+                isAbsent -> result(CheckState.EXPLAINED, 1.0, hider?.mistake)
+                error == null -> result(CheckState.OPEN, null)
                 error <= rule.tolerance -> result(CheckState.RIGHT, 1.0)
                 else -> {
                     val cause = others.find { it.disturbs(check) }
@@ -83,7 +85,7 @@ public class Grade private constructor(
         }
 
         private fun Found.disturbs(check: Check) =
-            alternatives.any { it.check == check } || (explains == null && check in disturbedBy(mistake))
+            alternatives.any { it.check == check } || check in (explains ?: disturbedBy(mistake))
 
         /** Half a tenth is rounded up; the small addend undoes what binary fractions lack (0.15 is a little less than 0.15). */
         private fun tenths(points: Double) = floor(points * 10 + 0.5 + 1e-9) / 10

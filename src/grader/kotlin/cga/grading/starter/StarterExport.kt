@@ -18,13 +18,13 @@ import kotlin.io.path.writeBytes
 /** Writes the starter. */
 public object StarterExport {
     /**
-     * Makes [folder] the starter: whole or not at all. Throws [InputError] when it is there and not empty, when it is the working
+     * Makes [folder] the starter in [language]: whole or not at all. Throws [InputError] when it is there and not empty, when it is the working
      * directory, or when it cannot be written.
      */
-    public fun write(folder: Path) {
+    public fun write(folder: Path, language: StarterLanguage = StarterLanguage.ENGLISH) {
         val target = folder.toAbsolutePath().normalize()
         check(target)
-        val files = StarterFiles.all()
+        val files = StarterFiles(language).all()
         val temporary = target.resolveSibling(".${target.name}.${ProcessHandle.current().pid()}.part")
         try {
             for ((path, content) in files) {
@@ -32,7 +32,7 @@ public object StarterExport {
                 file.parent.createDirectories()
                 file.writeBytes(content)
             }
-            temporary.resolve("gradlew").toFile().setExecutable(true, false)
+            for (script in listOf("gradlew", "cga")) temporary.resolve(script).toFile().setExecutable(true, false)
             Files.move(temporary, target, REPLACE_EXISTING)
         } catch (e: IOException) {
             throw InputError("cannot write $folder (${e.reason()}): is the disk full or the folder read-only?", e)

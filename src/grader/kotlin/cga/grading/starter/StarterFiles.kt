@@ -1,6 +1,5 @@
 package cga.grading.starter
 
-import cga.exercise.components.shader.ShaderSource
 import cga.framework.Home
 import cga.framework.InputError
 import java.nio.file.Files
@@ -8,56 +7,23 @@ import java.nio.file.Path
 import kotlin.io.path.extension
 import kotlin.io.path.invariantSeparatorsPathString
 import kotlin.io.path.isDirectory
+import kotlin.io.path.isRegularFile
 import kotlin.io.path.relativeTo
 import kotlin.io.path.walk
 
-/** The files of the starter: the solution's own, cut, and the few that make a project of them. Throws [InputError] where one is missing. */
-public object StarterFiles {
-    /** Name of the file that tells a starter from any other project. */
-    public const val MARKER: String = ".cga-starter"
-
-    /** What it begins with: the number changes when a filled-in starter must be graded otherwise. */
-    public const val VERSION_LINE: String = "cga-starter 1"
-
-    /** Where the sources lie, and what lies before their packages in our project and in the starter. */
-    private val SOURCES = listOf("$OURS/cga/framework", "$OURS/cga/exercise", "shaders")
-    private const val OURS = "src/scene/kotlin"
-    private const val THEIRS = "src/main/kotlin"
-    private const val CATALOGUE = "gradle/libs.versions.toml"
-
-    // The window's inspector shows the factors of the formula, which are the exercise.
-    private const val INSPECTOR = "shaders/inspect/"
-    private val SOURCE_TYPES = setOf("kt", "vert", "frag")
-    private val MODEL_TYPES = setOf("obj", "mtl", "png")
-
-    /** What is copied as it is from the top of the project: where a starter is made these must be there. */
-    internal val COPIES: List<String> =
-        listOf("LICENSE", "gradlew", "gradlew.bat", CATALOGUE, "gradle/wrapper/gradle-wrapper.jar") +
-            "gradle/wrapper/gradle-wrapper.properties"
-
-    /** Written for the starter alone; they lie beside this class. */
-    private val OWN =
-        mapOf(
-            "README.md" to "README.md",
-            "build.gradle.kts" to "build.gradle.kts",
-            "settings.gradle.kts" to "settings.gradle.kts",
-            "pom.xml" to "pom.xml",
-            "$THEIRS/cga/exercise/Main.kt" to "Main.kt",
-            ".gitignore" to "gitignore",
-        )
-
+/**
+ * The files of the starter: the project in `src/starter`, which is the course's way to solve the sheet, cut; models, textures and the build
+ * tool's own; and the window as a library. Throws [InputError] where one is missing.
+ *
+ * @param language of the tasks and of what students read.
+ */
+public class StarterFiles(
+    private val language: StarterLanguage,
+) {
     /** The sources that students write in or read, by their path in the starter. */
     public fun templates(): Map<String, Template> =
-        SOURCES.flatMap { below(it, SOURCE_TYPES) }.associate { path ->
-            path.replace(Regex("^$OURS/"), "$THEIRS/") to Template(path, source(path))
-        }
-
-    /** What shaders include is put into them: students read one plain file. */
-    private fun source(path: String): String =
-        if (path.startsWith("shaders/")) {
-            ShaderSource.read(path).text
-        } else {
-            Home.read(path, "source").decodeToString().replace("\r\n", "\n")
+        below(PROJECT) { it.extension in SOURCE_TYPES }.associate { path ->
+            path.removePrefix("$PROJECT/") to Template(path, text(path), language)
         }
 
     /** Every file of the starter, by its path. */
@@ -67,16 +33,29 @@ public object StarterFiles {
     internal fun solution(): Map<String, ByteArray> = all { it.solution }
 
     private fun all(text: (Template) -> String): Map<String, ByteArray> {
-        val sources = templates().mapValues { (_, template) -> text(template).encodeToByteArray() }
-        val copies = (COPIES + below("assets", MODEL_TYPES)).associateWith { Home.read(it, "project") }
-        val written = mapOf(CATALOGUE to catalogue(), MARKER to "$VERSION_LINE\n").mapValues { it.value.encodeToByteArray() }
-        return sources + copies + OWN.mapValues { own(it.value) } + written
+        val sources = templates().mapValues { (_, template) -> text(template) }.filterValues { it.isNotBlank() }
+        val written = mapOf(CATALOGUE to catalogue(), MARKER to "$VERSION_LINE\nlanguage ${language.code}\n") + sources
+        val own = below(PROJECT) { it.extension !in SOURCE_TYPES }.mapNotNull { path ->
+            name(path.removePrefix("$PROJECT/"))?.let { it to withVersions(it, Home.read(path, "project")) }
+        }
+        val copies = (COPIES + below("assets") { it.extension in MODEL_TYPES }).associateWith { Home.read(it, "project") }
+        return copies + own + written.mapValues { it.value.encodeToByteArray() } + CoachJars.all()
     }
+
+    /** What [path] is called in the starter; null for what belongs to the other language or to us. */
+    private fun name(path: String): String? =
+        when (path) {
+            "gitignore" -> ".gitignore"
+            "README.${language.code}.md" -> "README.md"
+            else -> path.takeIf { !it.startsWith("README.") }
+        }
+
+    private fun text(path: String) = Home.read(path, "source").decodeToString().replace("\r\n", "\n")
 
     /** Our catalogue with what the starter's build uses: the grader fetches what a submission that does not compile names. */
     private fun catalogue(): String {
-        val script = own("build.gradle.kts").decodeToString()
-        val libraries = Home.read(CATALOGUE, "project").decodeToString().replace("\r\n", "\n").replace(LIBRARY) { entry ->
+        val script = text("$PROJECT/build.gradle.kts")
+        val libraries = text(CATALOGUE).replace(LIBRARY) { entry ->
             val alias = entry.groupValues[1].replace('-', '.')
             if (Regex("""\blibs\.${Regex.escape(alias)}\b""") in script) entry.value else ""
         }
@@ -86,36 +65,52 @@ public object StarterFiles {
         }
     }
 
-    // Each with the comment above it.
-    private val LIBRARY = Regex("""(?m)(?:^#.*\n)*^([\w-]+) = \{ module.*\n""")
-    private val VERSION = Regex("""(?m)^(\w+) = ".*\n""")
-
-    private fun below(
-        folder: String,
-        types: Set<String>,
-    ): List<String> {
+    private fun below(folder: String, isWanted: (Path) -> Boolean): List<String> {
         val home = Home.resolve("")
         val start = Home.resolve(folder)
         if (!start.isDirectory()) throw InputError("the folder $start does not exist: the starter is made where the project's sources are.")
-        val files = start.walk().filter { it.extension in types && !Files.isHidden(it) }.map { it.name(home) }
-        return files.filterNot { it.startsWith(INSPECTOR) }.sorted().toList()
+        val files = start.walk().filter { it.isRegularFile() && !Files.isHidden(it) && isWanted(it) }
+        return files.map { it.toAbsolutePath().relativeTo(home.toAbsolutePath()).invariantSeparatorsPathString }.sorted().toList()
     }
 
-    private fun Path.name(home: Path) = toAbsolutePath().relativeTo(home.toAbsolutePath()).invariantSeparatorsPathString
-
-    private fun own(name: String): ByteArray {
-        val resource = StarterFiles::class.java.getResourceAsStream(name) ?: error("the program lacks its file $name")
-        val content = resource.use { it.readBytes() }
-        return if (name == "pom.xml") withVersions(content.decodeToString()).encodeToByteArray() else content
-    }
-
-    /** Maven cannot read the catalogue of versions: `@lwjgl@` in [pom] becomes what it says of `lwjgl`. */
-    private fun withVersions(pom: String): String {
-        val versions = Home.read(CATALOGUE, "project").decodeToString().substringAfter("[versions]").substringBefore("\n[")
-        return Regex("@(\\w+)@").replace(pom) { match ->
-            val name = match.groupValues[1]
-            val version = Regex("""(?m)^$name = "(.+)"""").find(versions) ?: throw InputError("$CATALOGUE: there is no version $name.")
+    /** Maven cannot read the catalogue of versions: `@lwjgl@` in its file becomes what it says of `lwjgl`. */
+    private fun withVersions(name: String, content: ByteArray): ByteArray {
+        if (!name.endsWith("pom.xml")) return content
+        val versions = text(CATALOGUE).substringAfter("[versions]").substringBefore("\n[")
+        return Regex("@(\\w+)@").replace(content.decodeToString()) { match ->
+            val wanted = match.groupValues[1]
+            val version = Regex("""(?m)^$wanted = "(.+)"""").find(versions) ?: throw InputError("$CATALOGUE: there is no version $wanted.")
             version.groupValues[1]
-        }
+        }.encodeToByteArray()
     }
+
+    public companion object {
+        /** Name of the file that tells a starter from any other project. */
+        public const val MARKER: String = ".cga-starter"
+
+        /** What it begins with: the number changes when a filled-in starter must be graded otherwise. */
+        public const val VERSION_LINE: String = "cga-starter 2"
+
+        private const val PROJECT = "src/starter"
+        private const val CATALOGUE = "gradle/libs.versions.toml"
+        private val SOURCE_TYPES = setOf("kt", "glsl")
+        private val MODEL_TYPES = setOf("obj", "mtl", "png")
+
+        // Each with the comment above it.
+        private val LIBRARY = Regex("""(?m)(?:^#.*\n)*^([\w-]+) = \{ module.*\n""")
+        private val VERSION = Regex("""(?m)^(\w+) = ".*\n""")
+
+        /** What is copied as it is from the top of the project: where a starter is made these must be there. */
+        internal val COPIES: List<String> =
+            listOf("LICENSE", "gradlew", "gradlew.bat", CATALOGUE, "gradle/wrapper/gradle-wrapper.jar") +
+                "gradle/wrapper/gradle-wrapper.properties"
+    }
+}
+
+/** A language that students are spoken to in. */
+public enum class StarterLanguage(
+    public val code: String,
+) {
+    ENGLISH("en"),
+    GERMAN("de"),
 }

@@ -8,12 +8,12 @@ import cga.framework.InputError
  * Markers are comments, alone on their lines, in Kotlin and GLSL alike:
  *
  *     // solution 4.2.1: send the colour      becomes  // TODO 4.2.1: send the colour
- *     // solution 4.3.4: and the attenuation  becomes  // TODO 4.3.4: and the attenuation
+ *     // Lösung 4.2.1: Senden Sie die Farbe   is the same for those who are spoken to in German
  *     // instead: return 0                    becomes  return 0
  *     …                                       is removed
  *     // end of solution                      is removed
  *
- * A lone `// solution` leaves nothing. Regions do not lie within each other.
+ * A lone `// solution` leaves nothing, and a file of which nothing is left is none of the starter's. Regions do not lie within each other.
  *
  * @param solution the file as it is, markers and all.
  * @param name of the file, for errors. Throws [InputError] naming it and the line of a marker that does not fit.
@@ -21,6 +21,7 @@ import cga.framework.InputError
 public class Template(
     private val name: String,
     public val solution: String,
+    private val language: StarterLanguage = StarterLanguage.ENGLISH,
 ) {
     private val kept = ArrayList<String>()
     private val cut = ArrayList<Region>()
@@ -56,7 +57,8 @@ public class Template(
         var at = start
         while (at < lines.size) {
             val todo = START.matchEntire(lines[at]) ?: break
-            if (todo.groupValues[2].isNotEmpty()) kept += todo.groupValues[1] + "// TODO " + todo.groupValues[2]
+            val isOurs = todo.groupValues[2] == if (language == StarterLanguage.GERMAN) "Lösung" else "solution"
+            if (isOurs && todo.groupValues[3].isNotEmpty()) kept += todo.groupValues[1] + "// TODO " + todo.groupValues[3]
             at++
         }
         while (at < lines.size) {
@@ -80,7 +82,7 @@ public class Template(
 
     /** The way back, which shows that nothing else was lost. */
     public companion object {
-        private val START = Regex("""( *)// solution(?: (\d\.\d.*))?""")
+        private val START = Regex("""( *)// (solution|Lösung)(?: (\d\.\d.*))?""")
         private val INSTEAD = Regex("""( *)// instead: (.*)""")
         private val END = Regex(""" *// end of solution""")
 

@@ -33,7 +33,7 @@ internal class UnlitDraws private constructor(
                 CapturedFrame(frame.moment, frame.time, steps, frame.picture)
             }
             val programs = capture.programs + dark.keys.map { capture.programs[it] }
-            val separated = capture.with(frames = frames)
+            val separated = capture.with(programs, frames)
             return UnlitDraws(separated, numbers.values.toSet())
         }
 

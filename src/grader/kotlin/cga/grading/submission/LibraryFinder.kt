@@ -10,13 +10,16 @@ internal object LibraryFinder {
     private const val WORD = """["']([\w.-]+)["']"""
     private const val USE = """\b(?:implementation|api|compile|runtimeOnly)\b\s*+\(?+\s*+"""
 
+    /** A file of the project's own is in no repository. */
+    private const val NOT_BESIDE = """(?!\s*+<scope>system)"""
+
     /** Each with the group, the name and, where there is one, the version. */
     private val SHAPES = listOf(
         USE + """["']([\w.-]+):([\w.-]+):?([^"':@]*)""",
         """$USE$WORD\s*+,\s*+$WORD(?:\s*+,\s*+["']?([^"'),\s]+))?""",
         USE + """group\s*+[:=]\s*+$WORD\s*+,\s*+name\s*+[:=]\s*+$WORD(?:\s*+,\s*+version\s*+[:=]\s*+["']([^"']+))?""",
         """\bmodule\s*+=\s*+["']([\w.-]+):([\w.-]+)["'](?:\s*+,\s*+version(?:\.ref)?\s*+=\s*+["']([^"']+))?""",
-        """<dependency>\s*+<groupId>([^<]+)</groupId>\s*+<artifactId>([^<]+)</artifactId>(?:\s*+<version>([^<]+))?""",
+        """<dependency>\s*+<groupId>([^<]+)</groupId>\s*+<artifactId>([^<]+)</artifactId>(?:\s*+<version>([^<]+)</version>)?+$NOT_BESIDE""",
     ).map { Regex(it) }
 
     /** A module of LWJGL, which stands in lists of such names. */

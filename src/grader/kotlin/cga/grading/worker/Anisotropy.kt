@@ -1,5 +1,6 @@
 package cga.grading.worker
 
+import cga.coach.calls.Call
 import cga.grading.capture.EventKind
 import org.lwjgl.opengl.EXTTextureFilterAnisotropic.GL_TEXTURE_MAX_ANISOTROPY_EXT
 import org.lwjgl.system.MemoryUtil

@@ -1,5 +1,6 @@
 package cga.grading.worker
 
+import cga.coach.calls.Call
 import cga.grading.capture.CaptureLimits
 import cga.grading.capture.DrawCallers
 import org.lwjgl.opengl.GL33C.GL_CURRENT_PROGRAM

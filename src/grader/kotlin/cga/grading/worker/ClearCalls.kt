@@ -1,5 +1,6 @@
 package cga.grading.worker
 
+import cga.coach.calls.Call
 import cga.grading.capture.CapturedClear
 import org.lwjgl.opengl.GL33C.*
 import org.lwjgl.system.MemoryStack

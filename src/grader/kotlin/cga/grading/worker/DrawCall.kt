@@ -1,5 +1,7 @@
 package cga.grading.worker
 
+import cga.coach.calls.Call
+
 /**
  * What a draw function was asked for.
  *

@@ -1,5 +1,7 @@
 package cga.grading.worker
 
+import cga.coach.calls.Call
+import cga.coach.calls.Interception
 import cga.grading.capture.CapturedFrame
 import cga.grading.capture.CapturedStep
 import cga.grading.capture.EventKind

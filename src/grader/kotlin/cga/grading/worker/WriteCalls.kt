@@ -1,5 +1,6 @@
 package cga.grading.worker
 
+import cga.coach.calls.Call
 import org.lwjgl.opengl.GL33C.*
 
 /** Notes which objects a call has written to. */

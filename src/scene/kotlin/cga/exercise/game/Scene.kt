@@ -9,6 +9,7 @@ import cga.framework.SpecularModel
 import cga.framework.WindowState
 import org.joml.Matrix4d
 import org.joml.Matrix4f
+import org.joml.Matrix4fc
 import org.joml.Vector3f
 import org.joml.Vector3fc
 import org.lwjgl.glfw.GLFW.*
@@ -56,6 +57,9 @@ public class Scene(
 
     /** Held in place of the colour that the step has, by whoever looks closer; null for none. */
     public var motorcycleColor: Vector3fc? = null
+
+    /** Where the camera is, in the motorcycle's space, instead of where the orbit puts it; null for the orbit's place. */
+    public var cameraPlace: Matrix4fc? = null
 
     /** Which part of the sheet is shown; setting it also chooses the step's [specularModel]. */
     public var step: Step = step
@@ -182,7 +186,7 @@ public class Scene(
     /** Brings matrices and colours up to the present time and input. */
     private fun prepare() {
         motorcycle.setLocalModelMatrix(ride.place(matrix))
-        camera.setLocalModelMatrix(orbit.place(step.turnsWithMouse, matrix))
+        camera.setLocalModelMatrix(cameraPlace ?: orbit.place(step.turnsWithMouse, matrix))
         camera.aspect = window.framebufferWidth.toFloat() / window.framebufferHeight
         camera.calculateViewMatrix(view)
         // solution 4.4: give the motorcycle and its light a colour that changes with the time, where the step has colour

@@ -15,8 +15,8 @@ public class SceneLights(motorcycle: Transformable) {
     // solution 4.6: more point lights of different colours, for example in the corners of the ground
     private val pointLight = PointLight(Vector3f(0f, 1.6f, 0f), WHITE).apply { parent = motorcycle }
     private val spotLight =
-        SpotLight(Vector3f(0f, 0.9f, -1.6f), Vector3f(5f, 5f, 4.5f), radians(7f), radians(24f)).apply {
-            rotateLocal(radians(-4f), 0f, 0f)
+        SpotLight(Vector3f(0f, 0.64f, -1.8f), Vector3f(1.3f, 1.3f, 1.17f), radians(13f), radians(66f)).apply {
+            rotateLocal(radians(-14f), 0f, 0f)
             parent = motorcycle
         }
     private val cornerLights =

@@ -33,7 +33,11 @@ public class ImageData(
             val bytes = Home.read(file, "texture")
             val encoded = MemoryUtil.memAlloc(bytes.size)
             return try {
-                decode(encoded.put(bytes).flip()) ?: throw InputError(
+                encoded.put(bytes).flip()
+                if (STBImage.stbi_is_16_bit_from_memory(encoded)) {
+                    throw InputError("texture file $file has 16 bits a channel, and textures have 8: save it with 8 bits a channel.")
+                }
+                decode(encoded) ?: throw InputError(
                     "texture file $file is not a readable picture (${STBImage.stbi_failure_reason()}): save it again as PNG.",
                 )
             } finally {

@@ -3,16 +3,24 @@ package cga.framework.image
 import cga.framework.Home
 import cga.framework.Phases
 import cga.framework.cooked.Cooked
+import org.joml.Vector3f
+import org.joml.Vector3fc
 
 /**
  * A texture as OpenGL sees it: mip levels from the full size down to 1×1 (or the full size alone), four bytes a texel,
  * rows from bottom to top, so that row 0 lies at t = 0.
  *
  * The levels are made here and not by `glGenerateMipmap`, whose filter OpenGL leaves open: every driver and the CPU reference
- * sample the same numbers. Each level is the box filter of the one above, rounded to the nearest 1/255; an odd last row or column
- * is left out (none is for power-of-two sizes, which ours are).
+ * sample the same numbers. Each level is the mean of the full picture's texels, rounded once to the nearest 1/255; an odd last row or
+ * column is left out (none is for power-of-two sizes, which ours are).
+ *
+ * @param color the exact colour, linear RGB, of a texture that has one colour only and is no picture; else null. It may exceed 1.
  */
-public class TextureImage(public val levels: List<Level>) {
+public class TextureImage private constructor(
+    public val levels: List<Level>,
+    public val color: Vector3fc?,
+) {
+    public constructor(levels: List<Level>) : this(levels, null)
     public constructor(image: ImageData, mipmaps: Boolean) : this(levels(image, mipmaps))
 
     /** One mip level. */
@@ -39,13 +47,14 @@ public class TextureImage(public val levels: List<Level>) {
                 ?: Cooked.make(listOf(file), form, CookedTexture::encode) { TextureImage(ImageData.read(path), mipmaps) }
         }
 
+        /** A texture of one [color], linear RGB, which is kept as it is. */
+        public fun ofColor(color: Vector3fc): TextureImage =
+            TextureImage(levels(ImageData.ofColor(color.x(), color.y(), color.z()), mipmaps = false), Vector3f(color))
+
         private fun levels(
             image: ImageData,
             mipmaps: Boolean,
-        ): List<Level> =
-            generateSequence(flipped(image)) { level ->
-                if (mipmaps && (level.width > 1 || level.height > 1)) halved(level) else null
-            }.toList()
+        ): List<Level> = flipped(image).let { if (mipmaps) MipLevels.of(it) else listOf(it) }
 
         private fun flipped(image: ImageData): Level {
             val row = 4 * image.width
@@ -53,26 +62,5 @@ public class TextureImage(public val levels: List<Level>) {
             for (y in 0 until image.height) image.rgba.copyInto(rgba, y * row, (image.height - 1 - y) * row, (image.height - y) * row)
             return Level(image.width, image.height, rgba)
         }
-
-        private fun halved(from: Level): Level {
-            val width = maxOf(1, from.width / 2)
-            val height = maxOf(1, from.height / 2)
-            val to = Level(width, height, ByteArray(4 * width * height))
-            for (y in 0 until to.height) {
-                val lower = 4 * from.width * minOf(2 * y, from.height - 1)
-                val upper = 4 * from.width * minOf(2 * y + 1, from.height - 1)
-                for (x in 0 until to.width) {
-                    val left = 4 * minOf(2 * x, from.width - 1)
-                    val right = 4 * minOf(2 * x + 1, from.width - 1)
-                    for (c in 0 until 4) {
-                        val sum = from[lower + left + c] + from[lower + right + c] + from[upper + left + c] + from[upper + right + c]
-                        to.rgba[4 * (y * to.width + x) + c] = ((sum + 2) shr 2).toByte()
-                    }
-                }
-            }
-            return to
-        }
-
-        private operator fun Level.get(index: Int): Int = rgba[index].toInt() and 0xFF
     }
 }

@@ -103,9 +103,9 @@ public object ModelFile {
     ): MaterialData =
         MaterialData(
             name = string { aiGetMaterialString(material, AI_MATKEY_NAME, aiTextureType_NONE, 0, it) }.orEmpty(),
-            diffuse = color(material, AI_MATKEY_COLOR_DIFFUSE),
-            specular = color(material, AI_MATKEY_COLOR_SPECULAR),
-            emissive = color(material, AI_MATKEY_COLOR_EMISSIVE),
+            diffuse = color(material, AI_MATKEY_COLOR_DIFFUSE, file),
+            specular = color(material, AI_MATKEY_COLOR_SPECULAR, file),
+            emissive = color(material, AI_MATKEY_COLOR_EMISSIVE, file),
             shininess = shininess(material, file),
             diffuseMap = map(material, aiTextureType_DIFFUSE, file),
             specularMap = map(material, aiTextureType_SPECULAR, file),
@@ -115,11 +115,14 @@ public object ModelFile {
     private fun color(
         material: AIMaterial,
         key: String,
+        file: Path,
     ): Vector3fc =
         MemoryStack.stackPush().use { stack ->
-            val color = AIColor4D.calloc(stack)
-            aiGetMaterialColor(material, key, aiTextureType_NONE, 0, color)
-            Vector3f(color.r(), color.g(), color.b())
+            val read = AIColor4D.calloc(stack)
+            aiGetMaterialColor(material, key, aiTextureType_NONE, 0, read)
+            val color = Vector3f(read.r(), read.g(), read.b())
+            if (!color.isFinite || minOf(color.x, color.y, color.z) < 0f) throw broken(file, "a material has the colour $color")
+            color
         }
 
     private fun shininess(

@@ -4,6 +4,9 @@ import cga.exercise.components.camera.TronCamera
 import cga.exercise.components.shader.ShaderProgram
 import org.joml.Matrix4d
 import org.joml.Matrix4f
+import org.joml.Vector2f
+import org.joml.Vector3d
+import org.joml.Vector4d
 import org.lwjgl.opengl.GL33C.*
 import org.lwjgl.system.MemoryUtil
 
@@ -17,6 +20,8 @@ internal class Gizmos(private val camera: TronCamera) : AutoCloseable {
     private val toClip = Matrix4d()
     private val projection = Matrix4f()
     private val sent = Matrix4f()
+    private val world = Vector3d()
+    private val clip = Vector4d()
 
     init {
         glBindVertexArray(vao)
@@ -49,6 +54,21 @@ internal class Gizmos(private val camera: TronCamera) : AutoCloseable {
         glDepthMask(true)
         glDisable(GL_BLEND)
         glBindVertexArray(0)
+    }
+
+    /**
+     * Where [light] was in the picture that was drawn last, as shares of its width and height from the upper left, into [dest]; false where it is
+     * behind the camera.
+     */
+    fun place(
+        light: InspectedLight,
+        dest: Vector2f,
+    ): Boolean {
+        clip.set(light.light.getWorldPosition(world), 1.0)
+        toClip.transform(clip)
+        if (clip.w <= 0) return false
+        dest.set(((clip.x / clip.w + 1) / 2).toFloat(), ((1 - clip.y / clip.w) / 2).toFloat())
+        return true
     }
 
     private fun draw(

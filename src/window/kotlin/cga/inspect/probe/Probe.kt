@@ -11,6 +11,8 @@ import cga.reference.ShadedPoint
 import org.joml.Vector3d
 import org.lwjgl.opengl.GL33C.*
 import org.lwjgl.system.MemoryStack
+import java.util.concurrent.Executors
+import java.util.concurrent.Future
 
 /**
  * All that is known of one pixel.
@@ -44,8 +46,10 @@ internal class LookedAt(
     val light: Int,
 )
 
-/** Clicks on pixels. Not for every frame: it takes the reference some tenths of a second. */
-internal class Probe(private val scene: Scene) {
+/** Clicks on pixels. The reference takes some tenths of a second, on a thread of its own. */
+internal class Probe(private val scene: Scene) : AutoCloseable {
+    private val reference = Executors.newSingleThreadExecutor { task -> Thread(task, "probe").apply { isDaemon = true } }
+
     /**
      * The pixel ([column], [row]) from the upper left of a picture of [width]×[height], drawn with [look]; its specular model is [model].
      * The window's framebuffer must still hold the picture. Needs the OpenGL context.
@@ -57,13 +61,21 @@ internal class Probe(private val scene: Scene) {
         height: Int,
         look: Look,
         model: SpecularModel,
-    ): Probed {
+    ): Future<Probed> {
         val shown = shown(column, height - 1 - row)
         val drawn = drawn(column, height - 1 - row, width, height)
         val frame = frame(model)
-        val point = ReferenceRenderer(frame, width, height).probe(column, row)
-        val expected = if (point == null) Vector3d() else Expected.color(point, frame, look)
-        return Probed(column, row, scene.time, frame, LookedAt(look.view.title, look.light), point, expected, drawn, shown)
+        val time = scene.time
+        val asked = look.copy()
+        return reference.submit<Probed> {
+            val point = ReferenceRenderer(frame, width, height).probe(column, row)
+            val expected = if (point == null) Vector3d() else Expected.color(point, frame, asked)
+            Probed(column, row, time, frame, LookedAt(asked.view.title, asked.light), point, expected, drawn, shown)
+        }
+    }
+
+    override fun close() {
+        reference.shutdownNow()
     }
 
     private fun frame(model: SpecularModel): Frame {

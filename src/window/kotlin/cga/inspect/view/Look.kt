@@ -46,6 +46,15 @@ internal class Look {
         this.light = light
     }
 
+    /** The same, which stays as it is now. */
+    fun copy(): Look {
+        val copy = Look()
+        copy.view = view
+        copy.light = light
+        copy.off = off
+        return copy
+    }
+
     /** Everything as at the start. */
     fun reset() {
         view = View.FULL

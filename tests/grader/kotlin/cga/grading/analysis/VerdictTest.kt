@@ -47,7 +47,16 @@ class VerdictTest {
 
     private fun Verdict.grade() = Grade.of(Findings(checks, mistakes, emptyList(), emptyList(), emptyList()), RUBRIC)
 
-    private fun Verdict.costs() = grade().checks.filter { (it.points ?: 0.0) < it.maximum }.map { it.check }.toSet()
+    private fun Verdict.costs() = grade()
+        .checks
+        .filter { check ->
+            check.points.let {
+                it != null && it < check.maximum
+            }
+        }.map { it.check }
+        .toSet()
+
+    private fun Verdict.open() = grade().checks.filter { it.points == null }.map { it.check }.toSet()
 
     @Test
     fun `two contented witnesses make 100 points, and every check is there once`() {
@@ -165,14 +174,15 @@ class VerdictTest {
     fun `what the study says of a light that never shines is no mistake, and costs where the light is missing`() {
         val noise = arrayOf(found(Mistake.UNKNOWN, "bike"), found(Mistake.SPECULAR_MISSING, "bike"))
         val verdict = Verdict.of(shading(*noise, errors = mapOf(Check.ATTENUATION_FORM to 1.0)), missing(setOf("bike")))
-        assertEquals(listOf(Mistake.LIGHT_MISSING) to POINT, verdict.names() to verdict.costs())
+        assertEquals(listOf(Mistake.LIGHT_MISSING) to setOf(Check.POINT_LIGHT), verdict.names() to verdict.costs())
+        assertEquals(setOf(Check.SPECULAR), verdict.open())
         val other = Verdict.of(shading(found(Mistake.SPECULAR_MISSING, "bike, spot")), missing(setOf("bike")))
         assertEquals(setOf(Mistake.LIGHT_MISSING, Mistake.SPECULAR_MISSING), other.names().toSet())
     }
 
     @Test
-    fun `a light that is missing costs all of it, whether or not the shaders know it`() {
-        assertEquals(POINT, Verdict.of(shading(), missing(setOf("bike"))).costs())
+    fun `a light that the shaders know costs once, one that nobody has written costs all of it`() {
+        assertEquals(setOf(Check.POINT_LIGHT), Verdict.of(shading(), missing(setOf("bike"))).costs())
         assertEquals(POINT, Verdict.of(shading(), missing(emptySet())).costs())
         val both = scene(found(Mistake.LIGHT_MISSING), found(Mistake.SPOT_MISSING), absent = POINT + SPOT, unlit = setOf("bike"))
         assertEquals(POINT + SPOT - Check.CONE, Verdict.of(shading(), both).costs())
@@ -192,7 +202,7 @@ class VerdictTest {
     fun `a misspelt name explains all that it makes dark`() {
         val lost = POINT + SPOT + Check.CONE_SPECULAR + Check.MORE_LIGHTS + Check.MORE_LIGHTS_SHADING
         val absent = POINT + SPOT + Check.MORE_LIGHTS
-        val scene = scene(found(Mistake.UNIFORM_ABSENT, "colour", lost), errors = absent.associateWith { 1.0 }, unlit = setOf("a", "s"))
+        val scene = scene(found(Mistake.UNIFORM_ABSENT, "colour", lost), absent = absent, unlit = setOf("a", "s"))
         val verdict = Verdict.of(shading(found(Mistake.CONE_NEVER_SENT, "s"), found(Mistake.UNKNOWN, "a, b")), scene)
         assertEquals(listOf(Mistake.UNIFORM_ABSENT) to setOf(Check.POINT_LIGHT), verdict.names() to verdict.costs())
     }
@@ -219,7 +229,8 @@ class VerdictTest {
             ),
         )
         assertEquals(listOf(Mistake.DIFFUSE_MISSING) to setOf(Check.DIFFUSE), verdict.names() to verdict.costs())
-        assertEquals(0.0, verdict.grade().open)
+        // Nobody can tell whether what a missing diffuse term hides is right.
+        assertEquals(unseen.keys - Check.CONE, verdict.open())
     }
 
     @Test
@@ -236,8 +247,7 @@ class VerdictTest {
     fun `a colour that was sent and is not used costs once, one that nobody sent costs all of its task`() {
         val colors = setOf(Check.GROUND_COLOR, Check.MOTORCYCLE_COLOR)
         val ignored = shading(found(Mistake.EMISSION_COLOR_IGNORED))
-        val errors = colors.associateWith { 1.0 }
-        val sent = Verdict.of(ignored, scene(found(Mistake.EMISSION_COLOR_IGNORED, explains = colors), errors = errors))
+        val sent = Verdict.of(ignored, scene(found(Mistake.EMISSION_COLOR_IGNORED, explains = colors), absent = colors))
         assertEquals(setOf(Check.EMISSION), sent.costs())
         val nothing = Verdict.of(ignored, scene(found(Mistake.EMISSION_COLOR_IGNORED, explains = emptySet()), absent = colors))
         assertEquals(colors + Check.EMISSION, nothing.costs())

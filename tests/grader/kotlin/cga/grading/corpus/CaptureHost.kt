@@ -10,13 +10,14 @@ import java.util.concurrent.TimeUnit.SECONDS
 import kotlin.concurrent.thread
 import kotlin.io.path.Path
 import kotlin.io.path.createDirectories
+import kotlin.io.path.exists
 import kotlin.io.path.moveTo
 import kotlin.io.path.readText
 
 /**
  * A process that runs submissions one after the other, since they are our own: its start takes longer than a run.
  *
- * @param home its working folder, where the submission's `assets` are put.
+ * @param home its working folder, where the submission's `assets` and `shaders` are put.
  */
 internal class CaptureHost(
     private val home: Path,
@@ -39,16 +40,18 @@ internal class CaptureHost(
         process = builder.start()
     }
 
-    /** Runs the class [main] of [classes] beside [assets], which are moved away; what it said where it leaves no [capture]. */
+    /** Runs the class [main] of [classes] in [start], whose `assets` and `shaders` are moved away; what it said where it leaves no [capture]. */
     fun run(
         main: String,
         classes: Path,
-        assets: Path,
+        start: Path,
         capture: Path,
     ): String {
         runs++
-        home.resolve("assets").toFile().deleteRecursively()
-        assets.moveTo(home.resolve("assets"))
+        for (folder in listOf("assets", "shaders")) {
+            home.resolve(folder).toFile().deleteRecursively()
+            if (start.resolve(folder).exists()) start.resolve(folder).moveTo(home.resolve(folder))
+        }
         val watch = thread(isDaemon = true) { if (!sleptUntilDone()) process.destroyForcibly() }
         val said = StringBuilder()
         process.outputStream.run { write("$main\t$capture\t$classes\n".toByteArray()).also { flush() } }

@@ -1,5 +1,6 @@
 package cga.grading.corpus
 
+import cga.grading.starter.StarterFiles
 import cga.testing.projectRoot
 import java.nio.file.Path
 import java.util.TreeMap
@@ -8,6 +9,7 @@ import kotlin.io.path.createDirectories
 import kotlin.io.path.listDirectoryEntries
 import kotlin.io.path.name
 import kotlin.io.path.readLines
+import kotlin.io.path.writeBytes
 import kotlin.io.path.writeText
 
 /**
@@ -24,7 +26,7 @@ internal object Corpus {
 
     /** The file that lists the correct submissions. */
     val correctList: Path = home.resolve("correct.txt")
-    private val course: Sources = readSources(home.resolve("course"))
+    val course: Sources = readSources(home.resolve("course"))
     private val reader = RewriteReader(home.resolve("overlays"))
 
     /** Every way to write the same, by name. */
@@ -52,8 +54,14 @@ internal object Corpus {
     /** Submissions with mistakes to judge the grader with, written without knowledge of it. */
     val heldOut: List<Submission> = otherMistakes.values.map { submission(it.name, it.with + it.name, it.file.substringBefore('-')) }
 
+    /** Work that is not done, with the points that a person would give. */
+    val unfinished: Map<String, Rewrite> = readAll("unfinished")
+
     /** All of them. */
-    val all: List<Submission> by lazy { correct + mistaken + heldOut }
+    val all: List<Submission> by lazy {
+        correct + mistaken + heldOut +
+            unfinished.values.map { Submission(it.name, Edition.SHEET, listOf(it.name), it.expectation, "unfinished") }
+    }
 
     private fun correct(
         name: String,
@@ -74,14 +82,29 @@ internal object Corpus {
     }
 
     /** The submission's files, except for models and textures. Throws [IllegalStateException] where an edit does not apply. */
-    fun sources(submission: Submission): Sources {
-        val sources = TreeMap(course)
-        for (name in submission.rewrites) {
-            val rewrite = checkNotNull(rewrites[name] ?: allMistakes[name] ?: students[name]) { "${submission.name}: $name is no rewrite" }
+    fun sources(submission: Submission): Sources = sources(submission, submission.rewrites)
+
+    /** The lines that its mistakes have changed. */
+    fun edits(submission: Submission): List<EditedLines> {
+        val (mistakes, others) = submission.rewrites.partition { it in allMistakes }
+        return EditedLines.between(sources(submission, others), sources(submission, others + mistakes))
+    }
+
+    private fun sources(
+        submission: Submission,
+        names: List<String>,
+    ): Sources {
+        val all = names.map { name ->
+            checkNotNull(
+                rewrites[name] ?: allMistakes[name] ?: students[name] ?: unfinished[name],
+            ) { "${submission.name}: $name is no rewrite" }
+        }
+        val sources = TreeMap((all.firstOrNull()?.base ?: Base.COURSE).sources())
+        for (rewrite in all) {
             try {
                 rewrite.edits.forEach { it.applyTo(sources) }
             } catch (e: IllegalStateException) {
-                throw IllegalStateException("${submission.name}, $name: ${e.message}", e)
+                throw IllegalStateException("${submission.name}, ${rewrite.name}: ${e.message}", e)
             }
         }
         return sources
@@ -94,8 +117,14 @@ internal object Corpus {
     ) {
         val sources = sources(submission)
         for ((path, text) in sources) folder.resolve(path).apply { parent.createDirectories() }.writeText(text)
-        val shader = sources.keys.first { "assets/shaders/" in it }
-        addAssets(folder.resolve(shader.substringBefore("assets/shaders/")).resolve("assets"))
+        val shader = sources.keys.firstOrNull { "assets/shaders/" in it }
+        if (shader != null) addAssets(folder.resolve(shader.substringBefore("assets/shaders/")).resolve("assets")) else addOwnAssets(folder)
+    }
+
+    private fun addOwnAssets(folder: Path) {
+        for ((path, content) in StarterFiles.all().filterKeys { it.startsWith("assets/") }) {
+            folder.resolve(path).apply { parent.createDirectories() }.writeBytes(content)
+        }
     }
 
     private fun addAssets(assets: Path) {

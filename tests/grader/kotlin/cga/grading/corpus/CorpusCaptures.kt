@@ -76,9 +76,9 @@ internal class CorpusCaptures(private val folder: Path = home) : AutoCloseable {
     }
 
     private fun run(place: Path, main: String, classes: Path, capture: Path): String {
-        val assets = place.toFile().walk().first { it.name == "assets" }.toPath()
+        val start = place.toFile().walk().first { it.name == "assets" }.parentFile.toPath()
         val host = idle.poll() ?: CaptureHost(createTempDirectory(work, "host"), worker)
-        return host.run(main, classes, assets, capture).also { if (host.isSpent) host.close() else idle += host }
+        return host.run(main, classes, start, capture).also { if (host.isSpent) host.close() else idle += host }
     }
 
     override fun close() {

@@ -7,8 +7,8 @@ import cga.testing.projectRoot
 import org.junit.jupiter.api.Assertions.assertEquals
 import org.junit.jupiter.api.Assertions.assertNotNull
 import org.junit.jupiter.api.Assertions.assertNull
+import org.junit.jupiter.api.Assertions.assertTrue
 import org.junit.jupiter.api.Test
-import kotlin.io.path.createDirectories
 import kotlin.io.path.readText
 import kotlin.io.path.writeText
 
@@ -32,19 +32,34 @@ class CorpusGuardTest {
 
     @Test
     fun `what is worse is told from what is better`() {
-        val before = Judgement("a", Answer.UNKNOWN, 90.0, setOf("4.2.normals"))
+        val before = Judgement("a", Answer.UNKNOWN, 90.0, setOf("4.2.normals"), 95.0, true)
         assertNull(before.copy(answer = Answer.NAMED).worseThan(before))
         assertNull(before.copy(elsewhere = emptySet()).worseThan(before))
         assertNotNull(before.copy(answer = Answer.MISSED).worseThan(before))
         assertNotNull(before.copy(elsewhere = setOf("4.2.normals", "4.3.cone")).worseThan(before))
-        assertNotNull(before.copy(points = 91.0).worseThan(before))
+        assertNull(before.copy(points = 94.0).worseThan(before))
         assertNotNull(before.copy(points = 89.0).worseThan(before))
+        assertNotNull(before.copy(points = 100.5).worseThan(before))
+        assertNotNull(before.copy(line = false).worseThan(before))
+        assertNotNull(before.copy(line = null).worseThan(before))
+        assertNull(before.worseThan(before.copy(line = false)))
     }
 
     @Test
     fun `every mistake is guarded`() {
         val expected = Corpus.all.flatMap { it.expectation.mistakes.flatten() }.toSet()
         assertEquals(emptySet<Any>(), expected - Guard.chosen().flatMap { it.expectation.mistakes.flatten() }.toSet())
+    }
+
+    @Test
+    fun `more work never earns less, and none earns next to nothing`() {
+        val judged = Judgement.read(Guard.expectations)
+        val steps =
+            listOf("starter-untouched", "solved-4-2", "solved-4-3", "solved-4-3-4", "solved-4-4", "solved-4-5", "solved-4-6", "solved-all")
+        val points = steps.map { judged.getValue(it).points }
+        assertEquals(points.sorted(), points)
+        assertTrue(points.first() <= 2 && judged.getValue("starter-one-line").points <= 2)
+        assertEquals(100.0, points.last())
     }
 
     @Test
@@ -65,10 +80,8 @@ class CorpusGuardTest {
     }
 
     private fun write(report: Guard.Report) {
-        val folder = projectRoot.toPath().resolve("build/corpus").createDirectories()
         val judged = Judgement.read(Guard.expectations) + report.judged
-        folder.resolve("report.md").writeText(ConfusionTable.of(if (accepts) judged else report.judged) + "\n")
-        for ((name, lines) in report.details) folder.resolve("$name.txt").writeText(lines.joinToString("\n", postfix = "\n"))
+        Guard.reports.resolve("report.md").writeText(ConfusionTable.of(if (accepts) judged else report.judged) + "\n")
         if (!accepts) return
         val page = projectRoot.toPath().resolve("docs/grading.md")
         val text = page.readText()

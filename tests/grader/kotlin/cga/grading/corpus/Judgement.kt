@@ -12,56 +12,64 @@ import kotlin.math.abs
  * to say again.
  *
  * @param elsewhere ids of the checks that lost points although no mistake of the submission belongs to them.
+ * @param wanted the points that it should have.
+ * @param line whether the line that was named is the one; null where none was named, or there is none to name.
  */
 internal data class Judgement(
     val name: String,
     val answer: Answer,
     val points: Double,
     val elsewhere: Set<String>,
+    val wanted: Double,
+    val line: Boolean? = null,
 ) {
+    private val isOffBy get() = abs(points - wanted)
+
     /** In which way this is worse than what was [expected]; null where it is not. */
     fun worseThan(expected: Judgement): String? {
         val more = elsewhere - expected.elsewhere
         return when {
             answer < expected.answer -> "$answer, and was ${expected.answer}"
             more.isNotEmpty() -> "loses points of ${more.joinToString()}, where it has no mistake"
-            abs(points - expected.points) > NOISE -> "$points points, and had ${expected.points}"
+            isOffBy > expected.isOffBy + NOISE -> "$points points, and had ${expected.points}"
+            expected.line == true && line != true -> "names another line"
             else -> null
         }
     }
 
-    /** Better than [expected] or as good, and not the same. */
-    fun isNewsAfter(expected: Judgement): Boolean = answer != expected.answer || elsewhere != expected.elsewhere
+    /** As it stands in the file. */
+    fun line(): String = "$name,${answer.name.lowercase().replace('_', ' ')},$points,$wanted,${LINES[line]},${elsewhere.joinToString(" ")}"
 
     companion object {
         /** Points are rounded to tenths; one of them may fall either way on another processor. */
         private const val NOISE = 0.1 + 1e-9
-        private const val HEAD = "name,answer,points,elsewhere"
+        private val LINES = mapOf(null to "", true to "right", false to "wrong")
+        private const val HEAD = "name,answer,points,wanted,line,elsewhere"
 
         fun of(answered: Answered): Judgement =
-            Judgement(answered.submission.name, answered.answer, "%.1f".format(Locale.ROOT, answered.points).toDouble(), answered.elsewhere)
+            Judgement(
+                answered.submission.name, answered.answer, answered.points.tenths(), answered.elsewhere, answered.wanted.tenths(),
+                answered.line,
+            )
+
+        private fun Double.tenths() = "%.1f".format(Locale.ROOT, this).toDouble()
+
+        /** What [Judgement.line] wrote. */
+        fun parse(line: String): Judgement {
+            val (name, answer, points, wanted, right) = line.split(',')
+            val checks = line.substringAfterLast(',').split(' ').filter(String::isNotEmpty).toSet()
+            val isRight = LINES.entries.single { it.value == right }.key
+            val said = Answer.valueOf(answer.uppercase().replace(' ', '_'))
+            return Judgement(name, said, points.toDouble(), checks, wanted.toDouble(), isRight)
+        }
 
         /** By name; none where [file] is not there. */
         fun read(file: Path): Map<String, Judgement> =
-            if (!file.exists()) {
-                emptyMap()
-            } else {
-                file
-                    .readLines()
-                    .drop(1)
-                    .map { line ->
-                        val (name, answer, points, elsewhere) = line.split(',')
-                        val checks = elsewhere.split(' ').filter(String::isNotEmpty).toSet()
-                        Judgement(name, Answer.valueOf(answer.uppercase().replace(' ', '_')), points.toDouble(), checks)
-                    }.associateBy { it.name }
-            }
+            if (file.exists()) file.readLines().drop(1).map(::parse).associateBy { it.name } else emptyMap()
 
         /** Writes [all] in the order of the corpus. */
         fun write(file: Path, all: Map<String, Judgement>) {
-            val lines = Corpus.all.mapNotNull { all[it.name] }.map { judgement ->
-                val answer = judgement.answer.name.lowercase().replace('_', ' ')
-                "${judgement.name},$answer,${judgement.points},${judgement.elsewhere.joinToString(" ")}"
-            }
+            val lines = Corpus.all.mapNotNull { all[it.name]?.line() }
             file.writeText((listOf(HEAD) + lines).joinToString("\n", postfix = "\n"))
         }
     }

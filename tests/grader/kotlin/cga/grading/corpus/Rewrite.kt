@@ -8,6 +8,7 @@ package cga.grading.corpus
  * @param without rewrites and groups that it does not go together with.
  * @param with rewrites that come before it.
  * @param file the name of its file, without `.txt`.
+ * @param base what it is a rewrite of.
  */
 internal class Rewrite(
     val name: String,
@@ -18,6 +19,7 @@ internal class Rewrite(
     val edits: List<Edit>,
     val expectation: Expectation,
     val file: String,
+    val base: Base = Base.COURSE,
 ) {
     fun goesWith(other: Rewrite): Boolean =
         group != other.group && listOf(other.name, other.group).none { it in without } && listOf(name, group).none { it in other.without }

@@ -30,6 +30,8 @@ internal class RewriteReader(private val overlays: Path) {
         private val with = ArrayList<String>()
         private val mistakes = ArrayList<Set<Mistake>>()
         private var costs: Set<String>? = null
+        private var points: Double? = null
+        private var base = Base.COURSE
         private val edits = ArrayList<Edit>()
         private var files = "*"
         private val find = ArrayList<String>()
@@ -48,8 +50,8 @@ internal class RewriteReader(private val overlays: Path) {
                 }
             }
             endLines()
-            val expectation = Expectation(mistakes, costs ?: (mistakes.flatten() - Mistake.UNKNOWN).map { it.check.id }.toSet())
-            return Rewrite(name, title, group, without, with, edits, expectation, file.nameWithoutExtension)
+            val expectation = Expectation(mistakes, costs ?: (mistakes.flatten() - Mistake.UNKNOWN).map { it.check.id }.toSet(), points)
+            return Rewrite(name, title, group, without, with, edits, expectation, file.nameWithoutExtension, base)
         }
 
         private fun read(line: String) {
@@ -68,6 +70,8 @@ internal class RewriteReader(private val overlays: Path) {
                 "with" -> with += rest.words()
                 "without" -> without += rest.words()
                 "expect" -> mistakes += rest.words().map { names -> names.split('|').map(::mistake).toSet() }
+                "points" -> points = rest.toDouble()
+                "base" -> base = Base.valueOf(rest.uppercase())
                 "costs" -> costs = rest.words().toSet()
                 else -> title += if (title.isEmpty()) line else " $line"
             }

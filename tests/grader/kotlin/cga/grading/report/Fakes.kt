@@ -92,6 +92,7 @@ internal object Fakes {
                 plots(1.6),
                 evidence() + cone,
                 listOf(Message.plain("assets/textures/sky.png was missing; a stand-in was given.")),
+                Proof(0.94, 2.1),
             ),
             facts,
         )

@@ -4,12 +4,15 @@ import cga.grading.findings.Check
 import cga.grading.findings.Findings
 import cga.grading.findings.Found
 import cga.grading.findings.Measured
+import cga.grading.findings.Message
 import cga.grading.findings.Mistake
 import org.junit.jupiter.api.Assertions.assertEquals
 import org.junit.jupiter.api.Assertions.assertFalse
+import org.junit.jupiter.api.Assertions.assertTrue
 import org.junit.jupiter.api.Test
 import org.junit.jupiter.params.ParameterizedTest
 import org.junit.jupiter.params.provider.EnumSource
+import kotlin.random.Random
 
 class GradeTest {
     private val rubric = Rubric.default()
@@ -98,13 +101,14 @@ class GradeTest {
     }
 
     @Test
-    fun `what is not there earns nothing, unless the analysis says why it is not there`() {
+    fun `what is not there earns nothing, unless the analysis says that it is there and why it is not seen`() {
         val checks = Check.entries.map { Measured(it, if (it.task == "4.6") null else 0.0, "", found = it.task != "4.6") }
 
         fun points(vararg mistakes: Found) = Grade.of(Findings(checks, mistakes.toList(), emptyList(), emptyList(), emptyList()), rubric)
         assertEquals(92.0, points().points)
         assertEquals(CheckState.NOT_FOUND, points().of(Check.MORE_LIGHTS).state)
         assertEquals(96.0, points(found(Mistake.UNIFORM_ABSENT, setOf(Check.MORE_LIGHTS, Check.MORE_LIGHTS_SHADING))).points)
+        assertEquals(92.0, points(found(Mistake.CONE_INSIDE_OUT)).points + rubric.rule(Check.CONE).points)
     }
 
     @Test
@@ -115,6 +119,50 @@ class GradeTest {
         val noted = Grade.of(Findings(listOf(Measured(Check.CONE, null, "")), emptyList(), emptyList(), emptyList(), emptyList()), rubric)
         assertEquals(listOf(0.0, 100.0), listOf(noted.points, noted.open))
     }
+
+    @Test
+    fun `a mistake makes nothing of what was not measured`() {
+        val grade =
+            grade(mistakes = arrayOf(found(Mistake.CONE_INSIDE_OUT, setOf(Check.CONE_SPECULAR))), without = setOf(Check.CONE_SPECULAR))
+        assertEquals(CheckState.OPEN, grade.of(Check.CONE_SPECULAR).state)
+    }
+
+    /** Findings drawn at random, and the same with one thing taken away: a check that is no longer there, or a mistake more. */
+    @Test
+    fun `less work never earns more`() {
+        val random = Random(4)
+        repeat(2000) {
+            val checks = Check.entries.map { check -> random(check, random) }
+            val mistakes = List(random.nextInt(4)) { found(Mistake.entries.random(random), explained(random)) }
+            val before = points(checks, mistakes)
+            val lost = random.nextInt(checks.size)
+            val fewer = checks.mapIndexed { i, check -> if (i == lost) Measured.absent(check.check, Message.NONE) else check }
+            assertTrue(points(fewer, mistakes) <= before) { "without ${checks[lost].check}" }
+            val worse = checks.mapIndexed { i, check ->
+                if (i ==
+                    lost
+                ) {
+                    Measured.of(check.check, (check.error ?: 0.0) + 0.1, Message.NONE)
+                } else {
+                    check
+                }
+            }
+            if (checks[lost].error != null) assertTrue(points(worse, mistakes) <= before) { "worse ${checks[lost].check}" }
+        }
+    }
+
+    private fun random(check: Check, random: Random) =
+        when (random.nextInt(4)) {
+            0 -> Measured.absent(check, Message.NONE)
+            1 -> Measured.open(check, Message.NONE)
+            else -> Measured.of(check, random.nextDouble(), Message.NONE)
+        }
+
+    private fun explained(random: Random) = if (random.nextBoolean()) null else Check.entries.filter { random.nextInt(4) == 0 }.toSet()
+
+    /** With those that are open counted as if a person gave them. */
+    private fun points(checks: List<Measured>, mistakes: List<Found>) =
+        Grade.of(Findings(checks, mistakes, emptyList(), emptyList(), emptyList()), rubric).run { points + open }
 
     @Test
     fun `the unknown is no name and neither costs nor explains`() {

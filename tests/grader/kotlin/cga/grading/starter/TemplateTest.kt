@@ -32,6 +32,13 @@ class TemplateTest {
     }
 
     @Test
+    fun `each task is told in the language that was asked for`() {
+        val solution = "// solution 4.4: send the colour\n// Lösung 4.4: Senden Sie die Farbe\nx\n// end of solution\n"
+        assertEquals("// TODO 4.4: send the colour\n", Template("f.kt", solution).starter)
+        assertEquals("// TODO 4.4: Senden Sie die Farbe\n", Template("f.kt", solution, StarterLanguage.GERMAN).starter)
+    }
+
+    @Test
     fun `a solution without a task leaves nothing`() {
         assertEquals("a\nb\n", Template("f.kt", "a\n// solution\nhelp\n// end of solution\nb\n").starter)
     }

@@ -1,5 +1,6 @@
 package cga.grading.worker
 
+import cga.coach.calls.Call
 import cga.grading.capture.EventKind
 import cga.testing.Offscreen
 import org.junit.jupiter.api.Assertions.assertEquals

@@ -1,12 +1,12 @@
 package cga.measure.speed
 
+import cga.coach.calls.Interception
 import cga.exercise.game.Step
 import cga.framework.context.ContextKind
 import cga.framework.context.GlFunctions
 import cga.framework.cooked.CookedFile
 import cga.framework.model.CookedModel
 import cga.framework.model.ModelFile
-import cga.grading.worker.Interception
 import cga.measure.accuracy.choices.PictureSize
 import cga.testing.Offscreen
 import cga.testing.Slow

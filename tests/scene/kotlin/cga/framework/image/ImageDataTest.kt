@@ -39,6 +39,13 @@ class ImageDataTest {
     }
 
     @Test
+    fun `a picture of 16 bits a channel is refused, and not cut to 8`() {
+        ImageIO.write(BufferedImage(2, 2, BufferedImage.TYPE_USHORT_GRAY), "png", file.toFile())
+        val message = assertThrows<InputError> { ImageData.read("$file") }.message.orEmpty()
+        assertTrue("$file has 16 bits a channel" in message && "save it with 8 bits" in message, message)
+    }
+
+    @Test
     fun `a colour is clamped and rounded`() {
         assertArrayEquals(byteArrayOf(0, -128, -1, -1), ImageData.ofColor(-1f, 0.5f, 7f).rgba)
         assertArrayEquals(byteArrayOf(1, 2, -2, -1), ImageData.ofColor(0.9f / 255, 2.4f / 255, 253.6f / 255).rgba)

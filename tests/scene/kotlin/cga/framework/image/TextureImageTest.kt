@@ -1,7 +1,10 @@
 package cga.framework.image
 
+import org.joml.Vector3f
 import org.junit.jupiter.api.Assertions.assertEquals
 import org.junit.jupiter.api.Test
+import kotlin.math.sqrt
+import kotlin.random.Random
 
 class TextureImageTest {
     @Test
@@ -10,7 +13,7 @@ class TextureImageTest {
     }
 
     @Test
-    fun `each level is the mean of four texels of the one above, rounded half up`() {
+    fun `each level is the mean of the picture's texels, rounded once`() {
         val picture =
             listOf(
                 0, 0, 255, 255,
@@ -19,16 +22,34 @@ class TextureImageTest {
                 9, 11, 101, 103,
             )
         // From below: (9+11+9+9)/4 = 9.5, (101+103+100+102)/4 = 101.5, (0+1+0+0)/4 = 0.25, (255+254+255+255)/4 = 254.75;
-        // and of these (10+102+0+255)/4 = 91.75.
+        // all sixteen add up to 1464, whose mean is 91.5. What lies in the middle goes to the even number.
         val expected = listOf(listOf(9, 11, 101, 103, 9, 9, 100, 102, 0, 1, 255, 254, 0, 0, 255, 255), listOf(10, 102, 0, 255), listOf(92))
         assertEquals(expected, levels(4, 4, picture))
     }
 
     @Test
     fun `a side that has come to 1 stays there`() {
-        assertEquals(listOf(listOf(1, 2, 3, 4), listOf(2, 4), listOf(3)), levels(4, 1, listOf(1, 2, 3, 4)))
-        assertEquals(listOf(listOf(4, 3, 2, 1), listOf(4, 2), listOf(3)), levels(1, 4, listOf(1, 2, 3, 4)))
+        assertEquals(listOf(listOf(1, 2, 3, 4), listOf(2, 4), listOf(2)), levels(4, 1, listOf(1, 2, 3, 4)))
+        assertEquals(listOf(listOf(4, 3, 2, 1), listOf(4, 2), listOf(2)), levels(1, 4, listOf(1, 2, 3, 4)))
         assertEquals(listOf(listOf(7)), levels(1, 1, listOf(7)))
+    }
+
+    @Test
+    fun `no level is brighter or darker than the picture`() {
+        val random = Random(30)
+        val reds = List(512 * 512) { random.nextInt(256) }
+        val levels = levels(512, 512, reds)
+        for (level in levels.filter { it.size >= 64 }) {
+            // A rounded mean is off by up to 1/2, evenly spread: standard deviation 1/√12 a texel, ten of it for the mean of all.
+            val bound = 10 / sqrt(12.0 * level.size)
+            assertEquals(reds.average(), level.average(), bound, "${level.size} texels")
+        }
+    }
+
+    @Test
+    fun `a colour is kept as it is`() {
+        val color = Vector3f(0.1f, 1.7f, 0f)
+        assertEquals(color, TextureImage.ofColor(color).color)
     }
 
     @Test

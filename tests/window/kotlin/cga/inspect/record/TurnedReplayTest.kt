@@ -1,5 +1,6 @@
 package cga.inspect.record
 
+import cga.coach.ui.Ui
 import cga.exercise.game.Scene
 import cga.exercise.game.Step
 import cga.framework.ColorFormat
@@ -9,7 +10,6 @@ import cga.inspect.Clock
 import cga.inspect.ControlPanel
 import cga.inspect.InspectedScene
 import cga.inspect.tune.Tuning
-import cga.inspect.ui.Ui
 import cga.inspect.view.InspectedProgram
 import cga.inspect.view.Look
 import cga.inspect.view.Traffic

@@ -59,13 +59,14 @@ internal object DrawingChoices {
         lighting() + targets() + filters() + antialiasing(DrawingGroup.ANTIALIASING) + antialiasing(DrawingGroup.EDGES)
 
     private fun lighting(): List<DrawingChoice> {
+        val wide = Cone(7.0, 24.0)
         val narrow = Cone(0.5, 1.0)
         return listOf(
             lighting("ours"),
             lighting("toLight per fragment", ShaderVariants.toLightPerFragment),
             lighting("light per vertex (Gouraud)", ShaderVariants.lightPerVertex()),
             lighting("Phong", specular = SpecularModel.PHONG),
-            lighting("cosines, cone of 24°", ShaderVariants.cosines),
+            lighting("cosines, cone of 24°", ShaderVariants.cone(wide) + ShaderVariants.cosines, cone = wide),
             lighting("versines, cone of 1°", ShaderVariants.cone(narrow), cone = narrow),
             lighting("cosines, cone of 1°", ShaderVariants.cone(narrow) + ShaderVariants.cosines, cone = narrow),
         )

@@ -59,7 +59,10 @@ internal class DrawingMeasurement(
         errors: List<PictureError>,
     ): MeasuredGroup {
         val all = DrawingChoices.all
-        val rows = all.indices.filter { all[it].group == group }.map { Measured(all[it].name, costs[it], errors[it].max, errors[it].mean) }
+        val rows =
+            all.indices.filter { all[it].group == group }.map {
+                Measured(all[it].name, costs[it], errors[it].max, errors[it].mean, "${all[it].truth}")
+            }
         return MeasuredGroup(
             group.title,
             note(group),
@@ -94,7 +97,8 @@ internal class DrawingMeasurement(
         return listOf(1, 2, 4).map { grid ->
             val picture = renderer.render(grid)
             val error = PictureError.of(truth.rgb, picture.toFloatImage().rgba) { true }
-            Measured("reference, $grid×$grid", Sample(List(runs) { milliseconds { renderer.render(grid) } }), error.max, error.mean)
+            val cost = Sample(List(runs) { milliseconds { renderer.render(grid) } })
+            Measured("reference, $grid×$grid", cost, error.max, error.mean, "$key")
         }
     }
 

@@ -7,12 +7,14 @@ import cga.measure.Sample
  *
  * @param cost of one frame in ms, or of one operation in ns, over all runs.
  * @param max error; likewise [mean]. 0 for the truth itself.
+ * @param truth what it is compared with: only choices that are to draw the same are compared with each other.
  */
 public class Measured(
     public val name: String,
     public val cost: Sample,
     public val max: Double,
     public val mean: Double,
+    public val truth: String = "",
 )
 
 /** Choices of one kind, beside each other. [note] tells what was timed and compared; units are written out. */
@@ -52,17 +54,27 @@ public class MeasuredGroup(
     }
 }
 
-/** The choices that nobody has a reason to leave: no other is both faster and nearer to the truth. */
+/**
+ * The choices that nobody has a reason to leave: no other is nearer to the truth and no slower. Only a spread that lies above the other's
+ * altogether is slower: what noise may have put in order counts as equal.
+ */
 internal object Pareto {
-    /** Those of [rows] on the front, by median cost and [error], fastest first; of equals the first. */
+    /** Those of [rows] on the front, by cost and [error], fastest first; of equals the first. Of several truths the commonest counts. */
     fun front(
         rows: List<Measured>,
         error: (Measured) -> Double = Measured::mean,
     ): List<Measured> {
-        val front = ArrayList<Measured>()
-        for (row in rows.sortedWith(compareBy({ it.cost.median }, error))) {
-            if (front.isEmpty() || error(row) < error(front.last())) front += row
+        val sorted = rows.sortedWith(compareBy({ it.cost.median }, error))
+        val same = sorted.groupBy { it.truth }.values.maxByOrNull { it.size }.orEmpty()
+        return same.filterIndexed { i, row ->
+            same.withIndex().none { (k, other) ->
+                if (error(other) == error(row)) k < i else error(other) < error(row) && !isSlower(other, row)
+            }
         }
-        return front
     }
+
+    private fun isSlower(
+        row: Measured,
+        other: Measured,
+    ) = row.cost.lowest > other.cost.highest
 }

@@ -39,23 +39,27 @@ internal class EdgeCases(private val probe: Probe) {
         return case("K = (0, 0, 0.1), d = 1.5e-19, grazing", "F not limited", naive.toDouble(), "F ≤ 1e18", error(shot), 0.0, "∞·0")
     }
 
-    /** K_q = 0, so that beyond d² the formula would still have a value: the sheet's, and for 2e19 DESIGN's, F = 0. */
+    /** In random directions. K_q = 0, so that beyond d² the formula would still have a value: the sheet's, and for 2e19 DESIGN's, F = 0. */
     private fun far(
         d: Float,
         label: String,
     ): HardCase {
-        val shot = Shot(lights = listOf(PointLight(Vector3f(0f, 0f, d), WHITE, Vector3f(1f, 0f, 0f))))
-        val toLight = Vector3f(0f, 0f, d)
-        val naive = Naive.attenuation(toLight, shot.lights.single().attenuation) * Naive.diffuse(shot.normal, toLight)
-        val truth = shot.truth().color.x
+        val random = Random(3)
+        val shots =
+            List(1_000) {
+                Shot(normal = random.direction(1f), lights = listOf(PointLight(random.direction(d), WHITE, Vector3f(1f, 0f, 0f))))
+            }
+        val truths = shots.map { it.truth().color.x }
+        val naive = shots.map { Naive.attenuation(it.toLight(), it.lights.single().attenuation) * Naive.diffuse(it.normal, it.toLight()) }
+        val ours = probe.shade(shots)
         val bound = 255 * (Rounding.COSINE + Rounding.ATTENUATION + Rounding.PRODUCTS)
         val failure = if (d > 1.85e19f) "d² is ∞, 0·∞" else ""
         return case(
             "light at a distance of $label",
             "F and l of d²",
-            255 * abs(naive - truth),
+            255 * shots.indices.maxOf { abs(naive[it] - truths[it]) },
             "F = 0 where d² overflows",
-            error(shot),
+            255 * shots.indices.maxOf { abs(ours[it].x - truths[it]) },
             bound,
             failure,
         )

@@ -1,7 +1,6 @@
 package cga.exercise.components.geometry
 
 import cga.exercise.components.texture.Texture2D
-import cga.framework.image.ImageData
 import cga.framework.model.MaterialData
 import cga.framework.model.MeshData
 import cga.framework.model.ModelFile
@@ -58,7 +57,7 @@ public object ModelLoader {
         fun texture(
             map: String?,
             color: Vector3fc,
-        ) = if (map == null) plain(color) else textures.getOrPut(map) { mapped(map) }
+        ) = if (map == null) Texture2D(color) else textures.getOrPut(map) { mapped(map) }
         return Material(
             diff = texture(data.diffuseMap, data.diffuse),
             emit = texture(data.emissiveMap, data.emissive),
@@ -66,8 +65,6 @@ public object ModelLoader {
             shininess = data.shininess,
         )
     }
-
-    private fun plain(color: Vector3fc) = Texture2D(ImageData.ofColor(color.x(), color.y(), color.z()), false)
 
     private fun mapped(path: String) =
         Texture2D(path, true).apply { setTexParams(GL_REPEAT, GL_REPEAT, GL_LINEAR_MIPMAP_LINEAR, GL_LINEAR) }

@@ -1,5 +1,7 @@
 package cga.exercise.components.shader
 
+import cga.framework.ShaderComplaint
+import cga.framework.ShaderLog
 import org.lwjgl.opengl.GL33C.*
 
 /** Compiles and links GLSL, and turns the driver's log into messages with the file's name and the line's text. */
@@ -46,21 +48,20 @@ internal object ShaderCompiler {
         return shader
     }
 
-    // Mesa "0:12(5): error: …", NVIDIA "0(12) : error …", AMD, Intel and Apple "ERROR: 0:12: …".
-    private val LOCATION = Regex("""^(?:(?:ERROR|WARNING):\s*)?\d+[:(](\d+)\)?(?:\((\d+)\))?\s*:\s*(.*)$""")
-
     /** The driver's [log] about [source] as `file:line: message`, each with its source line below. */
     fun explain(
         source: ShaderSource,
         log: String,
-    ): String = log.trim().lines().filter(String::isNotBlank).joinToString("\n") { explainEntry(source, it.trim()) }
+    ): String = ShaderLog.read(source.text.lines(), log).joinToString("\n") { explain(source, it) }
 
-    private fun explainEntry(
+    private fun explain(
         source: ShaderSource,
-        entry: String,
+        complaint: ShaderComplaint,
     ): String {
-        val (number, _, message) = LOCATION.find(entry)?.destructured ?: return "${source.path}: $entry"
-        val line = source.line(number.toInt()) ?: return "${source.path}:$number: $message"
-        return "${line.file}:${line.number}: $message\n    ${line.text.trim()}"
+        val number = complaint.line ?: return "${source.path}: ${complaint.message}"
+        val line = source.line(number) ?: return "${source.path}:$number: ${complaint.message}"
+        val before = complaint.unended?.let(source::line)
+        val or = before?.let { "\nor already line ${it.number}, which does not end in a semicolon:\n    ${it.text.trim()}" }.orEmpty()
+        return "${line.file}:${line.number}: ${complaint.message}\n    ${line.text.trim()}$or"
     }
 }

@@ -3,11 +3,13 @@ package cga.exercise.components.texture
 import cga.framework.FrameTexture
 import cga.framework.image.ImageData
 import cga.framework.image.TextureImage
+import org.joml.Vector3fc
 import org.lwjgl.opengl.GL33C.*
 import org.lwjgl.system.MemoryUtil
 
 /**
- * A picture on the GPU, 8-bit linear RGBA; uploaded when first bound, so a texture can be made without a context.
+ * A picture on the GPU, 8-bit linear RGBA, or a single colour in floats; uploaded when first bound, so a texture can be made without a
+ * context.
  *
  * @param genMipMaps whether smaller levels are made for minification (see [TextureImage]).
  */
@@ -17,6 +19,9 @@ public class Texture2D private constructor(
     private val genMipMaps: Boolean,
 ) {
     public constructor(imageData: ImageData, genMipMaps: Boolean) : this(TextureImage(imageData, genMipMaps), genMipMaps)
+
+    /** A texture of one [color], linear RGB, which is neither rounded nor limited to 1. */
+    public constructor(color: Vector3fc) : this(TextureImage.ofColor(color), false)
 
     private var texture = 0
 
@@ -79,7 +84,8 @@ public class Texture2D private constructor(
     private fun upload() {
         texture = glGenTextures()
         glBindTexture(GL_TEXTURE_2D, texture)
-        image.levels.forEachIndexed { number, level -> upload(number, level) }
+        val color = image.color
+        if (color == null) image.levels.forEachIndexed(::upload) else upload(color)
         glTexParameteri(GL_TEXTURE_2D, GL_TEXTURE_MAX_LEVEL, image.levels.lastIndex)
         applyTexParams()
     }
@@ -92,6 +98,10 @@ public class Texture2D private constructor(
         texels.put(level.rgba).flip()
         glTexImage2D(GL_TEXTURE_2D, number, GL_RGBA8, level.width, level.height, 0, GL_RGBA, GL_UNSIGNED_BYTE, texels)
         MemoryUtil.memFree(texels)
+    }
+
+    private fun upload(color: Vector3fc) {
+        glTexImage2D(GL_TEXTURE_2D, 0, GL_RGB32F, 1, 1, 0, GL_RGB, GL_FLOAT, floatArrayOf(color.x(), color.y(), color.z()))
     }
 
     private fun applyTexParams() {

@@ -30,6 +30,23 @@ class ParetoTest {
     }
 
     @Test
+    fun `costs whose spreads overlap are the same`() {
+        val near = Measured("near", Sample(listOf(2.0, 3.0)), 1.0, 1.0)
+        assertEquals(listOf("near"), Pareto.front(listOf(Measured("far", Sample(listOf(1.0, 2.5)), 2.0, 2.0), near)).map { it.name })
+        assertEquals(
+            listOf("far", "near"),
+            Pareto.front(listOf(Measured("far", Sample(listOf(1.0, 1.5)), 2.0, 2.0), near)).map { it.name },
+        )
+    }
+
+    @Test
+    fun `only choices that draw the same are compared`() {
+        val phong = Measured("Phong", Sample(listOf(0.5)), 0.1, 0.1, "Phong")
+        val others = listOf(1.0 to 2.0, 2.0 to 1.0).map { (cost, error) -> Measured("$cost", Sample(listOf(cost)), error, error) }
+        assertEquals(listOf("1.0", "2.0"), Pareto.front(others + phong).map { it.name })
+    }
+
+    @Test
     fun `a group is a table with the front marked and median, lowest and highest cost`() {
         val rows = listOf(Measured("good", Sample(listOf(3.0, 1.0, 2.0)), 0.5, 0.25), row("bad", 4.0, 1.0))
         val lines = MeasuredGroup("Title", "Note.", "ms", "1/255", rows).toMarkdown().lines()

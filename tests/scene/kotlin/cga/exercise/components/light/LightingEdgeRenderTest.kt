@@ -7,7 +7,6 @@ import cga.framework.ColorFormat
 import cga.framework.FrameLight
 import cga.framework.GLError
 import cga.framework.RenderTarget
-import cga.framework.image.ImageData
 import cga.testing.Offscreen
 import cga.testing.Slow
 import org.joml.Matrix3f
@@ -323,7 +322,7 @@ class LightingEdgeRenderTest {
             }
         }
 
-        private fun plain(color: Vector3f) = Texture2D(ImageData.ofColor(color.x, color.y, color.z), false)
+        private fun plain(color: Vector3f) = Texture2D(color)
     }
 
     private fun assertShaded(
@@ -341,7 +340,7 @@ class LightingEdgeRenderTest {
         surface: Surface,
         lights: List<PointLight> = emptyList(),
     ): DoubleArray {
-        val color = DoubleArray(3) { texel(surface.emissive[it]) * surface.tint[it] + texel(surface.diffuse[it]) * surface.ambient[it] }
+        val color = DoubleArray(3) { surface.emissive[it].toDouble() * surface.tint[it] + surface.diffuse[it].toDouble() * surface.ambient[it] }
         for (light in lights) light.toFrameLight().let { add(surface, it, intensity(surface, it), color) }
         return color
     }
@@ -368,7 +367,7 @@ class LightingEdgeRenderTest {
             }
         val highlight = if (cosBeta > 0) cosBeta.pow(surface.shininess.toDouble()) else 0.0
         for (c in 0..2) {
-            val reflectance = texel(surface.diffuse[c]) * max(n.dot(toLight), 0.0) + texel(surface.specular[c]) * highlight
+            val reflectance = surface.diffuse[c].toDouble() * max(n.dot(toLight), 0.0) + surface.specular[c].toDouble() * highlight
             color[c] += intensity * f * reflectance * light.color[c]
         }
     }
@@ -387,9 +386,6 @@ class LightingEdgeRenderTest {
         val outer = cos(cone.outerAngle.toDouble())
         return ((fromLight.dot(cone.direction) - outer) / (cos(cone.innerAngle.toDouble()) - outer)).coerceIn(0.0, 1.0)
     }
-
-    /** What an 8-bit texture makes of a colour channel. */
-    private fun texel(channel: Float): Double = Math.round(channel * 255f) / 255.0
 
     /**
      * How far the shader's floats may be from the formula, for the sum of all lights at their brightest.

@@ -86,7 +86,13 @@ internal class ControlPanel(
 
     private fun Widgets.lights() {
         fold(say("Lights", "Lichter"), true) {
-            if (tuning.lights.isEmpty()) paragraph(say("None shines at this step.", "Bei diesem Schritt leuchtet keines."), WIDTH, UiColor.FAINT)
+            if (tuning.lights.isEmpty()) {
+                paragraph(
+                    say("None shines at this step.", "Bei diesem Schritt leuchtet keines."),
+                    WIDTH,
+                    UiColor.FAINT,
+                )
+            }
             for ((i, light) in tuning.lights.withIndex()) {
                 row(LIGHT)
                 swatch(color(light.light.lightColor))

@@ -11,7 +11,10 @@ internal object InspectedKeys {
             KeyHelp(say("mouse", "Maus"), say("turns the camera about the motorcycle", "dreht die Kamera um das Motorrad")),
             KeyHelp("1 – 8", say("steps of the sheet", "Schritte des Blattes")),
             KeyHelp("B", say("Phong or Blinn-Phong", "Phong oder Blinn-Phong")),
-            KeyHelp("Tab", say("panel and cursor: click a pixel for its numbers", "Tafel und Cursor: Ein Klick zeigt die Zahlen eines Pixels")),
+            KeyHelp(
+                "Tab",
+                say("panel and cursor: click a pixel for its numbers", "Tafel und Cursor: Ein Klick zeigt die Zahlen eines Pixels"),
+            ),
             KeyHelp("V", say("what is shown; with Shift the one before", "was gezeigt wird; mit Umschalt das vorige")),
             KeyHelp("F", say("Phong beside Blinn-Phong", "Phong neben Blinn-Phong")),
             KeyHelp("G", say("where the lights are", "wo die Lichter sind")),

@@ -58,13 +58,14 @@ internal class InspectedScene(
     }
 
     private fun small(model: SpecularModel): FloatImage =
-        RenderTarget(SMALL_WIDTH, SMALL_HEIGHT, 0, ColorFormat.RGBA32F).use { target ->
-            target.bind()
-            look.specularModel = model
-            scene.render()
-            look.specularModel = null
-            target.readFloats()
-        }.also { glBindFramebuffer(GL_FRAMEBUFFER, 0) }
+        RenderTarget(SMALL_WIDTH, SMALL_HEIGHT, 0, ColorFormat.RGBA32F)
+            .use { target ->
+                target.bind()
+                look.specularModel = model
+                scene.render()
+                look.specularModel = null
+                target.readFloats()
+            }.also { glBindFramebuffer(GL_FRAMEBUFFER, 0) }
 
     /** Whose highlight the picture has in [column] of a picture of [width]. */
     fun modelAt(

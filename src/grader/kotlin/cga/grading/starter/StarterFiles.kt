@@ -77,11 +77,13 @@ public class StarterFiles(
     private fun withVersions(name: String, content: ByteArray): ByteArray {
         if (!name.endsWith("pom.xml")) return content
         val versions = text(CATALOGUE).substringAfter("[versions]").substringBefore("\n[")
-        return Regex("@(\\w+)@").replace(content.decodeToString()) { match ->
-            val wanted = match.groupValues[1]
-            val version = Regex("""(?m)^$wanted = "(.+)"""").find(versions) ?: throw InputError("$CATALOGUE: there is no version $wanted.")
-            version.groupValues[1]
-        }.encodeToByteArray()
+        return Regex("@(\\w+)@")
+            .replace(content.decodeToString()) { match ->
+                val wanted = match.groupValues[1]
+                val version =
+                    Regex("""(?m)^$wanted = "(.+)"""").find(versions) ?: throw InputError("$CATALOGUE: there is no version $wanted.")
+                version.groupValues[1]
+            }.encodeToByteArray()
     }
 
     public companion object {

@@ -106,14 +106,15 @@ internal object LoopPart {
         if (!repository.exists()) return emptyList()
         val needed =
             Regex(
-                "(kotlin-(compiler-embeddable|stdlib|script-runtime|daemon-embeddable)-${KotlinVersion.CURRENT}|kotlinx-coroutines-core-jvm-.*)\\.jar",
+                "(kotlin-(compiler-embeddable|stdlib|script-runtime|daemon-embeddable)-${KotlinVersion.CURRENT}|" +
+                    "kotlinx-coroutines-core-jvm-.*|annotations-.*)\\.jar",
             )
         val jars = repository.walk().filter { it.extension == "jar" && needed.matches(it.name) }.toList()
         return if (jars.any { it.name.startsWith("kotlin-compiler-embeddable") }) jars else emptyList()
     }
 
     private fun kotlinc(compiler: List<Path>): String {
-        val classPath = "\$(ls build/cga/lib/*.jar | tr '\\n' ':')"
+        val classPath = "\$(ls build/cga/lib/*.jar | grep -v /cga- | tr '\\n' ':')"
         return "java -cp \"${compiler.joinToString(File.pathSeparator)}\" org.jetbrains.kotlin.cli.jvm.K2JVMCompiler " +
             "-no-stdlib -no-reflect -nowarn -d classes -cp \"$classPath\" src/scene/kotlin"
     }

@@ -41,7 +41,13 @@ internal class GlWatch(private val numbers: Numbers) {
 
     private fun choose() {
         if (!isStarted) return
-        val wanted = if (inspection != null) all else if (isCloser) closer else usual
+        val wanted = if (inspection != null) {
+            all
+        } else if (isCloser) {
+            closer
+        } else {
+            usual
+        }
         observed = wanted.isObserved
         GL.setCapabilities(wanted.capabilities)
     }

@@ -23,7 +23,7 @@ internal class Inspection(private val isTheirs: (String) -> Boolean) {
         when {
             error != GL_NO_ERROR -> errors += "$name: ${name(error)}${place()}"
             name.startsWith("glDraw") || name.startsWith("glMultiDraw") -> draws++
-            name.startsWith("glGen") && name != "glGenerateMipmap" || name.startsWith("glCreate") -> made += "$name${place()}"
+            (name.startsWith("glGen") && name != "glGenerateMipmap") || name.startsWith("glCreate") -> made += "$name${place()}"
             name == "glGetUniformLocation" && call.answer < 0 -> noteAbsent(call.int(0), MemoryUtil.memASCII(call.long(1)))
         }
     }

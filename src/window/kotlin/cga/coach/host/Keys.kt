@@ -8,7 +8,10 @@ internal object Keys {
     /** All that are not the program's own. */
     val ALL: List<KeyHelp> =
         listOf(
-            KeyHelp("Tab", say("panel and cursor; the right button turns the camera", "Tafel und Cursor; die rechte Taste dreht die Kamera")),
+            KeyHelp(
+                "Tab",
+                say("panel and cursor; the right button turns the camera", "Tafel und Cursor; die rechte Taste dreht die Kamera"),
+            ),
             KeyHelp("H, F1", say("these keys", "diese Tasten")),
             KeyHelp("P", say("time stands still, or goes on", "Zeit anhalten oder weiterlaufen lassen")),
             KeyHelp("R", say("load the program anew; time and drive go on", "Programm neu laden; Zeit und Fahrt gehen weiter")),

@@ -30,7 +30,8 @@ internal class Overlay(
     var isWaiting = false
 
     /** Whether the mouse is over one of the panels. */
-    val isMouseOver: Boolean get() = look.isOpen && ui.isOver(window.mousePos.xpos.toFloat() * ratio, window.mousePos.ypos.toFloat() * ratio)
+    val isMouseOver: Boolean get() = look.isOpen &&
+        ui.isOver(window.mousePos.xpos.toFloat() * ratio, window.mousePos.ypos.toFloat() * ratio)
 
     /** Says how everything else is found, from [time] (seconds) on. */
     fun start(time: Double) {

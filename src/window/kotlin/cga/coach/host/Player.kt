@@ -195,7 +195,7 @@ internal class Player(
             running.counted = count
         }
         val hasError = glGetError() != GL_NO_ERROR
-        if (isTime && running.isGrowing || hasError && remarks.isEmpty()) running.isInspectionDue = true
+        if ((isTime && running.isGrowing) || (hasError && remarks.isEmpty())) running.isInspectionDue = true
     }
 
     private fun clear() {

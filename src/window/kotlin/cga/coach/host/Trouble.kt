@@ -30,7 +30,10 @@ internal class Trouble(
         private const val INDENT = "    "
         private const val MOST_FRAMES = 4
 
-        val AGAIN: String get() = say("Mend it and save: it is read by itself.", "Verbessern und speichern: Es wird von selbst neu gelesen.")
+        val AGAIN: String get() = say(
+            "Mend it and save: it is read by itself.",
+            "Verbessern und speichern: Es wird von selbst neu gelesen.",
+        )
         val OLD_STAYS: String get() = say("What ran before goes on. ", "Was vorher lief, läuft weiter. ") + AGAIN
         val PICTURE_STAYS: String get() = say("The last good picture stays. ", "Das letzte gute Bild bleibt. ") + AGAIN
 
@@ -81,7 +84,11 @@ internal class Trouble(
             fun source(line: Int) = text.getOrNull(line - 1)?.let { INDENT + it.trim() }
             val line = complaint.line ?: return listOf("$file: ${complaint.message}")
             val before = complaint.unended ?: return listOfNotNull("$file:$line: ${complaint.message}", source(line))
-            val or = say("or already line $before, which does not end in a semicolon:", "oder schon Zeile $before, an deren Ende kein Semikolon steht:")
+            val or =
+                say(
+                    "or already line $before, which does not end in a semicolon:",
+                    "oder schon Zeile $before, an deren Ende kein Semikolon steht:",
+                )
             return listOfNotNull("$file:$line: ${complaint.message}", source(line), or, source(before))
         }
 

@@ -78,11 +78,12 @@ internal class Sources(
     }
 
     private fun picture(): FloatImage =
-        RenderTarget(WIDTH, HEIGHT, 0, ColorFormat.RGBA32F).use { target ->
-            target.bind()
-            draw()
-            target.readFloats()
-        }.also { glBindFramebuffer(GL_FRAMEBUFFER, 0) }
+        RenderTarget(WIDTH, HEIGHT, 0, ColorFormat.RGBA32F)
+            .use { target ->
+                target.bind()
+                draw()
+                target.readFloats()
+            }.also { glBindFramebuffer(GL_FRAMEBUFFER, 0) }
 
     private companion object {
         const val COLOR = 3

@@ -20,7 +20,13 @@ internal class Digits {
         val rounded = BigDecimal("$number").round(MathContext(COUNTING, RoundingMode.HALF_EVEN))
         if (rounded.signum() == 0) return "0"
         val plain = rounded.stripTrailingZeros()
-        return if (plain.precision() - plain.scale() in SMALL..LARGE) plain.toPlainString() else "%.3g".format(java.util.Locale.ROOT, number)
+        return if (plain.precision() - plain.scale() in
+            SMALL..LARGE
+        ) {
+            plain.toPlainString()
+        } else {
+            "%.3g".format(java.util.Locale.ROOT, number)
+        }
     }
 
     private companion object {

@@ -72,7 +72,8 @@ internal class Ui(private val pixelRatio: Float) : AutoCloseable {
         height: Float,
     ) = canvas("toast", width, height) {
         val wide = wide(text)
-        val (x, y) = PLACES.map { (across, up) -> EDGE + (width - wide - 2 * EDGE).coerceAtLeast(0f) * across to height - up }
+        val (x, y) = PLACES
+            .map { (across, up) -> EDGE + (width - wide - 2 * EDGE).coerceAtLeast(0f) * across to height - up }
             .let { places -> places.firstOrNull { (x, y) -> isFree(x, y, wide) } ?: places.first() }
         words(text, x, y, UiColor.GOOD)
     }

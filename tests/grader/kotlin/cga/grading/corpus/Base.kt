@@ -1,6 +1,7 @@
 package cga.grading.corpus
 
 import cga.grading.starter.StarterFiles
+import cga.grading.starter.StarterLanguage
 import cga.grading.starter.Template
 import java.util.TreeMap
 
@@ -20,13 +21,13 @@ internal enum class Base {
     fun sources(): Sources =
         when (this) {
             COURSE -> Corpus.course
-            STARTER -> TreeMap(templates.mapValues { it.value.starter } + main)
+            STARTER -> TreeMap(templates.mapValues { it.value.starter }.filterValues { it.isNotBlank() } + main)
             SOLUTION -> TreeMap(templates.mapValues { (_, it) -> Template.solution(it.starter, it.regions) } + main)
         }
 
     private companion object {
         const val MAIN = "src/main/kotlin/cga/exercise/Main.kt"
-        val templates: Map<String, Template> by lazy { StarterFiles.templates() }
-        val main: Pair<String, String> by lazy { MAIN to StarterFiles.all().getValue(MAIN).decodeToString() }
+        val templates: Map<String, Template> by lazy { StarterFiles(StarterLanguage.ENGLISH).templates() }
+        val main: Pair<String, String> by lazy { MAIN to StarterFiles(StarterLanguage.ENGLISH).all().getValue(MAIN).decodeToString() }
     }
 }

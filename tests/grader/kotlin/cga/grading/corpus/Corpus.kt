@@ -1,6 +1,7 @@
 package cga.grading.corpus
 
 import cga.grading.starter.StarterFiles
+import cga.grading.starter.StarterLanguage
 import cga.testing.projectRoot
 import java.nio.file.Path
 import java.util.TreeMap
@@ -117,12 +118,15 @@ internal object Corpus {
     ) {
         val sources = sources(submission)
         for ((path, text) in sources) folder.resolve(path).apply { parent.createDirectories() }.writeText(text)
+        if (base(submission) != Base.COURSE) return addStarterAssets(folder)
         val shader = sources.keys.firstOrNull { "assets/shaders/" in it }
-        if (shader != null) addAssets(folder.resolve(shader.substringBefore("assets/shaders/")).resolve("assets")) else addOwnAssets(folder)
+        if (shader != null) addAssets(folder.resolve(shader.substringBefore("assets/shaders/")).resolve("assets"))
     }
 
-    private fun addOwnAssets(folder: Path) {
-        for ((path, content) in StarterFiles.all().filterKeys { it.startsWith("assets/") }) {
+    private fun base(submission: Submission): Base = submission.rewrites.firstNotNullOfOrNull { unfinished[it]?.base } ?: Base.COURSE
+
+    private fun addStarterAssets(folder: Path) {
+        for ((path, content) in StarterFiles(StarterLanguage.ENGLISH).all().filterKeys { it.startsWith("assets/") && "shaders/" !in it }) {
             folder.resolve(path).apply { parent.createDirectories() }.writeBytes(content)
         }
     }

@@ -52,7 +52,10 @@ class StarterExportTest {
         StarterExport.write(target)
         val text = sources(target).joinToString("\n") { it.readText() }
         val secrets =
-            listOf("reflected(", "normalize(", "cosInner", "class PointLight(", "class SpotLight(", "0.002 *", "parent = motorcycle\n\n        spot")
+            listOf(
+                "reflected(", "normalize(normalView)", "cosInner", "class PointLight(", "class SpotLight(", "0.002 *",
+                "parent = motorcycle\n\n        spot",
+            )
         for (secret in secrets + "end of solution" + "Lösung") assertFalse(secret in text, secret)
         val light = target.resolve("src/main/kotlin/cga/exercise/components/light")
         assertEquals(listOf("IPointLight.kt", "ISpotLight.kt"), light.listDirectoryEntries().map { it.name }.sorted())
@@ -110,7 +113,12 @@ class StarterExportTest {
         StarterExport.write(target, StarterLanguage.GERMAN)
         val files = target.toFile().walk().filter(File::isFile).map { it.relativeTo(target.toFile()).invariantSeparatorsPath }.toSet()
         val needed = listOf("README.md", "LICENSE", "build.gradle.kts", "gradlew.bat", "gradle/wrapper/gradle-wrapper.jar") +
-            listOf("src/main/kotlin/cga/exercise/Main.kt", "assets/motorcycle/motorcycle.mtl", "assets/shaders/tron_frag.glsl", ".gitignore")
+            listOf(
+                "src/main/kotlin/cga/exercise/Main.kt",
+                "assets/motorcycle/motorcycle.mtl",
+                "assets/shaders/tron_frag.glsl",
+                ".gitignore",
+            )
         assertEquals(emptyList<String>(), needed - files)
         assertTrue(target.resolve("gradlew").isExecutable() && target.resolve("cga").isExecutable())
         val mark = target.resolve(".cga-starter").readLines().filter(String::isNotEmpty)
@@ -119,8 +127,9 @@ class StarterExportTest {
         // The pages that students read do not lead to the solution.
         assertFalse("http" in target.resolve("README.md").readText())
         val top = files.map { it.substringBefore('/') }.toSet()
-        val expected = setOf("README.md", "LICENSE", "build.gradle.kts", "settings.gradle.kts", "pom.xml", "gradle", "gradlew", "gradlew.bat") +
-            setOf("src", "assets", "libs", "cga", ".gitignore", ".cga-starter")
+        val expected =
+            setOf("README.md", "LICENSE", "build.gradle.kts", "settings.gradle.kts", "pom.xml", "gradle", "gradlew", "gradlew.bat") +
+                setOf("src", "assets", "libs", "cga", ".gitignore", ".cga-starter")
         assertEquals(expected, top)
         for (path in listOf("assets/motorcycle/motorcycle.obj", "gradle/wrapper/gradle-wrapper.jar")) {
             assertArrayEquals(projectRoot.resolve(path).readBytes(), target.resolve(path).readBytes(), path)

@@ -37,8 +37,8 @@ class FrameCostTest {
     }
 
     /**
-     * Of step 4.7: a draw for each mesh; for each of those 5 uniforms of its material; for each of 2 models its tint and 2 matrices; 5 point
-     * lights of 3 and a spotlight of 5; projection, ambient, specular model, gamma.
+     * Of step 4.7: a draw for each mesh; for each of those 5 uniforms of its material; for each of 2 models its tint and 2 matrices; 6 lights
+     * of 5, of which the spotlight sends 2 once more, after those of a point light; projection, ambient, specular model, gamma.
      */
     @Test
     fun `a frame makes the calls it needs and asks nothing`() {
@@ -46,7 +46,7 @@ class FrameCostTest {
         val calls = callsOfOneFrame()
         assertEquals(meshes, calls.of("glDrawElements"))
         assertEquals(
-            5 * meshes + 2 * 3 + 5 * 3 + 5 + 4,
+            5 * meshes + 2 * 3 + 6 * 5 + 2 + 4,
             calls
                 .filter {
                     it.startsWith("glUniform")

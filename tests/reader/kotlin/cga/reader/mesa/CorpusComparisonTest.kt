@@ -41,7 +41,7 @@ class CorpusComparisonTest {
     private fun shaders(): List<File> =
         listOf("tests/submissions", "shaders")
             .flatMap { projectRoot.resolve(it).walk() }
-            .filter { it.extension in setOf("vert", "frag") || it.extension == "glsl" && '_' in it.name }
+            .filter { it.extension in setOf("vert", "frag") || (it.extension == "glsl" && '_' in it.name) }
             .sorted()
 
     /** One program of the corpus puts its shaders together itself. */

@@ -98,7 +98,9 @@ class PlayerTest {
             }
         }
         val text = trouble?.text.orEmpty()
-        assertTrue(":5: " in text && "    c = vec4(a);" in text && "4" in text.substringAfter(":5: ") && "    float a = 1.0" in text) { text }
+        assertTrue(
+            ":5: " in text && "    c = vec4(a);" in text && "4" in text.substringAfter(":5: ") && "    float a = 1.0" in text,
+        ) { text }
     }
 
     @Test

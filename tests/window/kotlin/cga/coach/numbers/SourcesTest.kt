@@ -80,7 +80,9 @@ class SourcesTest {
     }
 
     private fun link(): Int {
-        val vertex = "#version 330 core\nvoid main() { gl_Position = vec4(gl_VertexID == 1 ? 3.0 : -1.0, gl_VertexID == 2 ? 3.0 : -1.0, 0.0, 1.0); }"
+        val vertex =
+            "#version 330 core\nvoid main() { " +
+                "gl_Position = vec4(gl_VertexID == 1 ? 3.0 : -1.0, gl_VertexID == 2 ? 3.0 : -1.0, 0.0, 1.0); }"
         val shaders = listOf(GL_VERTEX_SHADER to vertex, GL_FRAGMENT_SHADER to FRAGMENT).map { (type, text) ->
             glCreateShader(type).also {
                 glShaderSource(it, text)

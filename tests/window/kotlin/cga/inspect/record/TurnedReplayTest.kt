@@ -6,6 +6,7 @@ import cga.exercise.game.Step
 import cga.framework.ColorFormat
 import cga.framework.RenderTarget
 import cga.framework.WindowState
+import cga.inspect.Actions
 import cga.inspect.Clock
 import cga.inspect.ControlPanel
 import cga.inspect.InspectedScene
@@ -57,7 +58,7 @@ class TurnedReplayTest {
     fun `whatever is clicked in the panel, the arrows of its numbers too, replays to the same bytes`() {
         val played = ArrayList<ByteArray>()
         Ui(1f).use { ui ->
-            val panel = ControlPanel(scene, look, tuning, Clock()) {}
+            val panel = ControlPanel(scene, look, tuning, Clock(), Actions({}, {}, {}))
             // From top to bottom, where the numbers have an arrow: a click on a title unfolds what is below, which the next ones hit.
             for (y in 40 until PANEL_HEIGHT - 10 step ROW) {
                 played += frame()

@@ -105,31 +105,32 @@ class FactorEdgeRenderTest {
         val program = InspectedProgram("shaders/scene.vert", "shaders/scene.frag", mapOf("LIGHTS" to 1), look, Traffic())
         val material = Material(plain(if (isMatt) 1f else 0f), plain(0f), plain(if (isMatt) 0f else 1f), case.k)
         val vertices = glGenVertexArrays()
-        return RenderTarget(1, 1, 0, ColorFormat.RGBA32F).use { target ->
-            target.bind()
-            glBindVertexArray(vertices)
-            program.use()
-            program.setUniform("modelView", Matrix4f().translation(SURFACE), false)
-            program.setUniform("normalMatrix", Matrix3f(), false)
-            // Whatever the vertex, the middle of the pixel.
-            program.setUniform("projection", Matrix4f().zero().m33(1f), false)
-            program.setUniform("emissiveTint", Vector3f())
-            program.setUniform("ambient", Vector3f())
-            program.setUniform("blinnPhong", false)
-            program.setUniform("inverseGamma", 1f)
-            case.light.bind(program, "light[0]", Matrix4d())
-            material.bind(program)
-            // No arrays: the one vertex has the current attributes.
-            glVertexAttrib3f(0, 0f, 0f, 0f)
-            glVertexAttrib2f(1, 0f, 0f)
-            glVertexAttrib3f(2, case.normal.x, case.normal.y, case.normal.z)
-            glDrawArrays(GL_POINTS, 0, 1)
-            target.readFloats().rgba.take(3)
-        }.also {
-            glDeleteVertexArrays(vertices)
-            material.cleanup()
-            program.cleanup()
-        }
+        return RenderTarget(1, 1, 0, ColorFormat.RGBA32F)
+            .use { target ->
+                target.bind()
+                glBindVertexArray(vertices)
+                program.use()
+                program.setUniform("modelView", Matrix4f().translation(SURFACE), false)
+                program.setUniform("normalMatrix", Matrix3f(), false)
+                // Whatever the vertex, the middle of the pixel.
+                program.setUniform("projection", Matrix4f().zero().m33(1f), false)
+                program.setUniform("emissiveTint", Vector3f())
+                program.setUniform("ambient", Vector3f())
+                program.setUniform("blinnPhong", false)
+                program.setUniform("inverseGamma", 1f)
+                case.light.bind(program, "light[0]", Matrix4d())
+                material.bind(program)
+                // No arrays: the one vertex has the current attributes.
+                glVertexAttrib3f(0, 0f, 0f, 0f)
+                glVertexAttrib2f(1, 0f, 0f)
+                glVertexAttrib3f(2, case.normal.x, case.normal.y, case.normal.z)
+                glDrawArrays(GL_POINTS, 0, 1)
+                target.readFloats().rgba.take(3)
+            }.also {
+                glDeleteVertexArrays(vertices)
+                material.cleanup()
+                program.cleanup()
+            }
     }
 
     private fun plain(gray: Float) = Texture2D(ImageData.ofColor(gray, gray, gray), false)

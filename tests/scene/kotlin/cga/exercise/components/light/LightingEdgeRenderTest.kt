@@ -340,7 +340,10 @@ class LightingEdgeRenderTest {
         surface: Surface,
         lights: List<PointLight> = emptyList(),
     ): DoubleArray {
-        val color = DoubleArray(3) { surface.emissive[it].toDouble() * surface.tint[it] + surface.diffuse[it].toDouble() * surface.ambient[it] }
+        val color = DoubleArray(3) {
+            surface.emissive[it].toDouble() * surface.tint[it] +
+                surface.diffuse[it].toDouble() * surface.ambient[it]
+        }
         for (light in lights) light.toFrameLight().let { add(surface, it, intensity(surface, it), color) }
         return color
     }

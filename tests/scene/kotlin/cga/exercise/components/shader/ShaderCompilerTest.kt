@@ -45,7 +45,13 @@ class ShaderCompilerTest {
 
     @Test
     fun `Windows' line ends are no part of the text`() =
-        assertEquals("a.frag:2: error: x\n    b", ShaderCompiler.explain(ShaderSource.of("a.frag", "a\r\n  b\r\nc"), "0:2(1): error: x\r\n"))
+        assertEquals(
+            "a.frag:2: error: x\n    b",
+            ShaderCompiler.explain(ShaderSource.of("a.frag", "a\r\n  b\r\nc"), "0:2(1): error: x\r\n"),
+        )
 
-    private fun assertExplained(log: String, expected: String) = assertEquals(expected, ShaderCompiler.explain(ShaderSource.of("a.frag", source), log))
+    private fun assertExplained(log: String, expected: String) = assertEquals(
+        expected,
+        ShaderCompiler.explain(ShaderSource.of("a.frag", source), log),
+    )
 }

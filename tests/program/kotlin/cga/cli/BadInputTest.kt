@@ -223,13 +223,18 @@ class BadInputTest {
                     it.change("vec4(inverseGamma", "vec4(colour, inverseGamma")
                 },
                 Broken(
-                    "shaders/scene.frag",
-                    "an input that the vertex shader has otherwise",
-                    "scene.vert",
+                    "shaders/scene.vert",
+                    "an output that the fragment shader has otherwise",
+                    "scene.frag",
                     "do not fit together",
                     "surfaceTexCoord",
                 ) {
-                    it.change("in vec2 surfaceTexCoord", "in vec4 surfaceTexCoord", "surfaceTexCoord)", "surfaceTexCoord.xy)")
+                    it.change(
+                        "out vec2 surfaceTexCoord",
+                        "out vec4 surfaceTexCoord",
+                        "surfaceTexCoord = texCoord * tcMultiplier",
+                        "surfaceTexCoord = vec4(texCoord * tcMultiplier, 0.0, 0.0)",
+                    )
                 },
                 Broken("assets/ground/ground.obj", "missing", "does not exist", "put the file there") { it.deleteExisting() },
                 Broken("assets/ground/ground.obj", "empty", "not a readable model", "export it again") { it.writeText("") },

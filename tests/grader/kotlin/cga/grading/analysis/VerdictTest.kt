@@ -12,7 +12,6 @@ import cga.grading.rubric.spoiltBy
 import cga.grading.sheet4.scene.SceneJudge
 import cga.grading.sheet4.scene.SceneVerdict
 import org.junit.jupiter.api.Assertions.assertEquals
-import org.junit.jupiter.api.Assertions.assertNull
 import org.junit.jupiter.api.Assertions.assertTrue
 import org.junit.jupiter.api.Test
 
@@ -293,7 +292,7 @@ class VerdictTest {
         val unknown = found(Mistake.UNKNOWN, "a")
         assertEquals(listOf(Mistake.UNKNOWN), Verdict.of(shading(unknown), scene()).names())
         assertEquals(listOf(Mistake.PHONG_LEFT), Verdict.of(shading(unknown, found(Mistake.PHONG_LEFT, "a")), scene()).names())
-        assertNull(Verdict.of(shading(unknown), scene()).mistakes.single().explains)
+        assertEquals(emptySet<Check>(), Verdict.of(shading(unknown), scene()).mistakes.single().explains.orEmpty())
     }
 
     private fun missing(unlit: Set<String>) = scene(found(Mistake.LIGHT_MISSING), absent = POINT, unlit = unlit)

@@ -61,8 +61,8 @@ class TuningTest {
     @Test
     fun `an inner angle beyond the outer one takes it along, and the other way round`() {
         val (inner, outer) = tuning.lights.last().groups.last().knobs
-        inner.value = 50f
-        assertEquals(50f, outer.value, 1e-5f)
+        inner.value = 80f
+        assertEquals(80f, outer.value, 1e-5f)
         outer.value = 20f
         assertEquals(20f, inner.value, 1e-5f)
     }

@@ -81,16 +81,19 @@ internal fun List<Axis>.checks(): List<Measured> =
 
 /** The mistakes, the same on several lights once: what explains much comes first. */
 internal fun List<Axis>.mistakes(): List<Found> =
-    mapNotNull { it.mistake }.groupBy { it.mistake }.values.map { same ->
-        Found(
-            same[0].mistake,
-            same.maxOf { it.fit },
-            same.maxOf { it.difference },
-            same.map { it.where }.distinct().joinToString(),
-            same.flatMap { it.alternatives }.distinct(),
-            same.mapNotNull { it.explains }.takeIf { it.isNotEmpty() }?.flatten()?.toSet(),
-        )
-    }.sortedBy { found -> TELLING.indexOf(found.mistake).let { if (it < 0) TELLING.size + found.mistake.ordinal else it } }
+    mapNotNull { it.mistake }
+        .groupBy { it.mistake }
+        .values
+        .map { same ->
+            Found(
+                same[0].mistake,
+                same.maxOf { it.fit },
+                same.maxOf { it.difference },
+                same.map { it.where }.distinct().joinToString(),
+                same.flatMap { it.alternatives }.distinct(),
+                same.mapNotNull { it.explains }.takeIf { it.isNotEmpty() }?.flatten()?.toSet(),
+            )
+        }.sortedBy { found -> TELLING.indexOf(found.mistake).let { if (it < 0) TELLING.size + found.mistake.ordinal else it } }
 
 private val TELLING =
     listOf(

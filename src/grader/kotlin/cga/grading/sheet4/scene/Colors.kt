@@ -48,12 +48,13 @@ internal class Colors(private val staging: Staging, private val isSent: Boolean,
     }
 
     /** Nothing is there, or it was sent and cannot be seen: then what does not take it costs. */
-    private fun none(check: Check, text: Message) = if (isSent) Axis.right(check, 1.0, text) else Axis.absent(check, text)
+    private fun none(check: Check, text: Message) = Axis.absent(check, text)
 
     /** The emission is multiplied with black, always: no colour arrives. */
     private fun black(): List<Axis> {
         val checks = setOf(Check.GROUND_COLOR, Check.MOTORCYCLE_COLOR)
-        return checks.map { Axis.wrong(it, 1.0, say("color.black"), Mistake.EMISSION_MISSING, "ground and motorcycle", explains = checks) }
+        return checks
+            .map { Axis.wrong(it, 1.0, say("color.black"), Mistake.EMISSION_MISSING, "ground and motorcycle", explains = checks) }
             .map { it.lacking(say("lack.colour"), kind = LackKind.COLOR) }
     }
 

@@ -16,7 +16,13 @@ internal class Fading(private val staging: Staging) {
     /** A light's K, and by how much it differs from the table's. */
     private class Faded(val light: PlacedLight, val check: Check, wanted: Vector3dc?) {
         val k: Vector3dc = light.track.last.k
-        val error = if (!isK(k)) 1.0 else if (wanted == null) (if (isConstant(k)) 1.0 else 0.0) else difference(k, wanted)
+        val error = if (!isK(k)) {
+            1.0
+        } else if (wanted == null) {
+            (if (isConstant(k)) 1.0 else 0.0)
+        } else {
+            difference(k, wanted)
+        }
         val text = if (wanted == null) say("fade.any", light.name, k) else say("fade.k", light.name, k, wanted)
         val isWrong get() = error > NAMED
     }

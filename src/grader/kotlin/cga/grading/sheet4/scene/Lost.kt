@@ -82,18 +82,22 @@ internal class Lost(
      */
     private fun unplaced(): Axis? {
         val lost = asked + early.map { it.substringAfter(' ') }
-        val places = lights.mapNotNull { it.last.placedBy }.filter { place ->
-            place in unset && lost.any { editDistance(it, place) <= place.length / MUCH_ALIKE }
-        }.ifEmpty { return null }
+        val places = lights
+            .mapNotNull { it.last.placedBy }
+            .filter { place ->
+                place in unset && lost.any { editDistance(it, place) <= place.length / MUCH_ALIKE }
+            }.ifEmpty { return null }
         val text = places.joinToString()
         return Axis.note(say("event.unplaced", text)).lacking(say("lack.numbers", text), *PLACES, hides = UNPLACED)
     }
 
     /** Numbers of a cone, or an exponent, that are sent under a name which is much alike: what is left says nothing of what was meant. */
     private fun misspelt(words: Words): Axis? {
-        val lost = unset.filter { words.regex.containsMatchIn(it) }.filter { name ->
-            names.any { editDistance(it, name) <= TYPO || (words.regex.containsMatchIn(it) && isMostly(it, name)) }
-        }.ifEmpty { return null }
+        val lost = unset
+            .filter { words.regex.containsMatchIn(it) }
+            .filter { name ->
+                names.any { editDistance(it, name) <= TYPO || (words.regex.containsMatchIn(it) && isMostly(it, name)) }
+            }.ifEmpty { return null }
         val text = lost.joinToString()
         val axis = Axis.right(words.checks[0], 1.0, say("event.other-name", text))
         return axis.lacking(say("lack.numbers", text), *words.checks, hides = words.hides)

@@ -15,9 +15,11 @@ internal class MouseMove(val moment: Moment, val at: Cursor, val isEvent: Boolea
     companion object {
         /** From [Moment.MOUSE_FIRST] on as long as nothing is driven. */
         val ALL: List<MouseMove> =
-            Moment.entries.filter { it >= Moment.MOUSE_FIRST && Key.FORWARD !in it.keys }.runningFold(null as MouseMove?) { last, moment ->
-                MouseMove(moment, moment.mouse ?: last?.at ?: Cursor(0.0, 0.0), moment.mouse != null)
-            }.filterNotNull()
+            Moment.entries
+                .filter { it >= Moment.MOUSE_FIRST && Key.FORWARD !in it.keys }
+                .runningFold(null as MouseMove?) { last, moment ->
+                    MouseMove(moment, moment.mouse ?: last?.at ?: Cursor(0.0, 0.0), moment.mouse != null)
+                }.filterNotNull()
     }
 }
 

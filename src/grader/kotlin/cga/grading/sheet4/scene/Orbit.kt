@@ -36,7 +36,8 @@ internal class Orbit(private val staging: Staging) {
         private val rule = paced?.rule
 
         /** What turned because of the way that the mouse went. */
-        val answers = turning.filter { rule == null || rule.pixels[MouseMove.ALL.indexOf(it.move)] != 0.0 } - setOfNotNull(reactions.firstOrNull())
+        val answers =
+            turning.filter { rule == null || rule.pixels[MouseMove.ALL.indexOf(it.move)] != 0.0 } - setOfNotNull(reactions.firstOrNull())
         val isByHeight get() = rule?.way == Way.HEIGHT
         val isLate get() = rule != null && rule.lag > 0
     }
@@ -55,7 +56,8 @@ internal class Orbit(private val staging: Staging) {
         val inWorld = fitted(reactions { before, at -> Matrix4d(before.motorcycleFrame).invert().mul(at.camera) })
         if (fitted.reactions.any { it.turn.motorcycleTurned > MOTORCYCLE_TURNED } && inWorld.answers.isNotEmpty()) {
             val text = say("orbit.turns-motorcycle")
-            return about(inWorld).filter { it.measured?.check != Check.ORBIT } + Axis.wrong(Check.ORBIT, 1.0, text, Mistake.ORBIT_MISSING, MOTORCYCLE)
+            return about(inWorld).filter { it.measured?.check != Check.ORBIT } +
+                Axis.wrong(Check.ORBIT, 1.0, text, Mistake.ORBIT_MISSING, MOTORCYCLE)
         }
         val isMoved = fitted.reactions.any { it.turn.moved > TURNED }
         val text = say(if (isMoved) "orbit.moved-only" else "orbit.none")

@@ -63,7 +63,7 @@ internal class Places(private val staging: Staging) {
                 Axis.wrong(CHECK, light.wrong, say("place.with-camera", light.name), Mistake.UNKNOWN, light.name)
             isFree(light) -> Axis.right(CHECK, 0.0, say("place.free", light.name))
             chain == null -> Axis.right(CHECK, light.wrong, say("place.of", light.name, say("place.unknown")))
-            chain == Chain.CONSTANT && light.place?.run { constant.length() < AT_CAMERA } == true || isAtCamera(light) -> nowhere(light)
+            (chain == Chain.CONSTANT && light.place?.run { constant.length() < AT_CAMERA } == true) || isAtCamera(light) -> nowhere(light)
             isBesideCamera(light) -> {
                 val place = light.track.last.position
                 Axis.wrong(CHECK, 1.0, say("place.beside-camera", light.name, place), Mistake.TO_LIGHT_WORLD, light.name, light.residual)
@@ -83,8 +83,9 @@ internal class Places(private val staging: Staging) {
     }
 
     /** Where no position arrives the light is at the camera. */
-    private fun nowhere(light: PlacedLight) = Axis.wrong(CHECK, 1.0, say("place.nowhere", light.name), Mistake.TO_LIGHT_WORLD, light.name)
-            .lacking(say("lack.position", light.name))
+    private fun nowhere(light: PlacedLight) = Axis
+        .wrong(CHECK, 1.0, say("place.nowhere", light.name), Mistake.TO_LIGHT_WORLD, light.name)
+        .lacking(say("lack.position", light.name))
 
     /** Whether [light] flies about by itself, which is allowed. */
     private fun isFree(light: PlacedLight): Boolean {
